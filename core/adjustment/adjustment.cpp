@@ -100,7 +100,8 @@ void Adjustment::find_undetermined(const SparseColumns& normal) {
     if (!factor.factorise(lower_of(normal, ridge))) return;
     const Eigen::VectorXd by_scale = scale_.cwiseInverse();
     Eigen::VectorXd scratch(n);
-    for (Eigen::Index count = std::min<Eigen::Index>(n, 10);; count = std::min(n, 3 * count)) {
+    // One direction tells whether there is any: most networks leave none open.
+    for (Eigen::Index count = 1;; count = std::min(n, count == 1 ? 10 : 3 * count)) {
         Eigen::MatrixXd V = orthonormal(spread_vectors(n, count));
         for (int round = 0; round < rounds; ++round) {
             for (Eigen::Index j = 0; j < count; ++j) factor.solve(V.col(j).data(), scratch.data());

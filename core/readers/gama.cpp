@@ -30,6 +30,15 @@ struct Determination {
     std::map<std::string, std::size_t> observed = {};  ///< points of the list
 };
 
+Message axes_words(const pugi::xml_node& network) {
+    std::string axes = plain_name(network.attribute("axes-xy").value());
+    if (axes.empty()) axes = "ne";
+    // Of the eight orientations four are right-handed with z upwards.
+    const bool right = axes == "en" || axes == "nw" || axes == "se" || axes == "ws";
+    return tell<"coordinates in metres, axes-xy = %1%2">(
+        axes, (right ? Message() : tell<": a left-handed frame; x and y are taken as they stand">()));
+}
+
 class GamaReader {
 public:
     GamaReader(const XmlText& xml, const ReadChoice& choice)
@@ -48,22 +57,23 @@ public:
         proposals_.title = list_.title;
         if (choice_.length_unit)
             proposals_.leave_out(0, tell<"the stated unit of lengths: coordinates of Gama are in metres">());
-        say_axes(network);
+        proposals_.found.push_back(axes_words(network));
         network_.take_axes(network);
         const pugi::xml_node data = child_called(network, "points-observations");
-        GamaObservations observations(xml_, data, proposals_);
+        network_.take_parameters(gama_parameters(xml_, child_called(network, "parameters")));
+        GamaObservations observations(xml_, data, network_.parameters().sigma, proposals_);
         for (const pugi::xml_node& node : data.children())
             if (auto done = GamaObservations::is_cluster(local_name(node)) ? observations.read(node)
                                                                            : read_part(node);
                 !done)
                 return fail(done.error());
-        if (const pugi::xml_node parameters = child_called(network, "parameters"))
-            proposals_.leave_out(xml_.line(parameters), tell<"<parameters>">());
         for (const auto& [name, lines] : others_)
             proposals_.leave_out(lines.first, tell<"%1 <%2> with observations">(lines.second, name));
         const std::string source = list_.source, title = list_.title;
         if (network_.propose(observations.observed(), observations.observed_correlations(), title, source))
             return std::move(proposals_);
+        if (const pugi::xml_node parameters = child_called(network, "parameters"))
+            proposals_.leave_out(xml_.line(parameters), tell<"<parameters>">());
         for (const auto& [line, words] : unplaced_coordinates_) proposals_.leave_out(line, words);
         if (unplaced_ > 0) proposals_.leave_out(unplaced_line_, tell<"%1 points without x and y">(unplaced_));
         if (planar_ > 0) proposals_.found.push_back(tell<"%1 points have no z: it is taken as 0">(planar_));
@@ -81,15 +91,6 @@ public:
     }
 
 private:
-    void say_axes(const pugi::xml_node& network) {
-        std::string axes = plain_name(network.attribute("axes-xy").value());
-        if (axes.empty()) axes = "ne";
-        // Of the eight orientations four are right-handed with z upwards.
-        const bool right = axes == "en" || axes == "nw" || axes == "se" || axes == "ws";
-        proposals_.found.push_back(tell<"coordinates in metres, axes-xy = %1%2">(
-            axes, (right ? Message() : tell<": a left-handed frame; x and y are taken as they stand">())));
-    }
-
     Result<void> read_part(const pugi::xml_node& node) {
         const std::string_view name = local_name(node);
         if (name == "point") return read_point(node);

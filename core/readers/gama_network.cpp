@@ -7,6 +7,7 @@
 
 #include "core/base/in_quotes.h"
 #include "core/readers/entry_texts.h"
+#include "core/setup/message_text.h"
 
 namespace covaria {
 
@@ -33,6 +34,19 @@ bool of_height(const std::string& kind) {
            kind == "zenith-angle";
 }
 
+/// What Gama leaves out is left out here too.
+void take_over(const GamaParameters& parameters, Setup& setup, Proposals& proposals) {
+    setup.values["gross_limit"] = Quantity{1e-3 * parameters.tolerance, Unit::of("m")};
+    setup.values["undetermined"] = std::string("leave-out");
+    proposals.found.push_back(
+        tell<"observations that miss the approximate coordinates by more than %1 m, and points that nothing "
+             "tells, are left out, as Gama does">(shortest_number(1e-3 * parameters.tolerance)));
+    if (parameters.a_posteriori)
+        proposals.found.push_back(
+            tell<"the file asks for standard deviations a posteriori: for these choose uncertainties as "
+                 "seen, one factor s_0">());
+}
+
 }  // namespace
 
 void GamaNetwork::take_axes(const pugi::xml_node& network) {
@@ -41,6 +55,27 @@ void GamaNetwork::take_axes(const pugi::xml_node& network) {
     const bool axes_turn_left = axes_ == "en" || axes_ == "nw" || axes_ == "se" || axes_ == "ws",
                angles_turn_left = plain_name(network.attribute("angles").value()) == "right-handed";
     clockwise_ = axes_turn_left != angles_turn_left;
+}
+
+GamaParameters gama_parameters(const XmlText& xml, const pugi::xml_node& node) {
+    GamaParameters found;
+    const auto text = [&](const char* attribute) { return plain_line(node.attribute(attribute).value()); };
+    const auto number = [&](const char* attribute, double otherwise) {
+        const auto value = number_in_text(text(attribute));
+        return value && *value > 0.0 && std::isfinite(*value) ? *value : otherwise;
+    };
+    found.sigma = number("sigma-apr", found.sigma);
+    found.tolerance = number("tol-abs", found.tolerance);
+    found.a_posteriori = text("sigma-act") != "apriori";
+    for (const char* attribute : {"latitude", "ellipsoid"})
+        if (!text(attribute).empty())
+            found.named.emplace_back(
+                xml.line(node), tell<"%1: readings are not reduced to an ellipsoid">(std::string(attribute)));
+    if (text("update-constrained-coordinates") == "yes")
+        found.named.emplace_back(xml.line(node),
+                                 tell<"update-constrained-coordinates: the datum keeps the coordinates of "
+                                      "the file">());
+    return found;
 }
 
 void GamaNetwork::take_point(const pugi::xml_node& node, const std::array<std::optional<double>, 3>& p,
@@ -181,6 +216,7 @@ bool GamaNetwork::propose(const std::vector<GamaObserved>& observed,
     });
     if (!reads || !finds) return false;
     for (const auto& [line, words] : left_out) proposals_.leave_out(line, words);
+    for (const auto& [line, words] : parameters_.named) proposals_.leave_out(line, words);
     TableRows between(table_of(adjustment_model, "correlations"));
     const auto add = [&](const std::vector<StatedCorrelation>& all, const std::vector<std::string>& labels) {
         for (const StatedCorrelation& c : all)
@@ -196,6 +232,7 @@ bool GamaNetwork::propose(const std::vector<GamaObserved>& observed,
     analysis.setup.values["points"] = points_table();
     analysis.setup.values["readings"] = readings_table();
     analysis.setup.values["sense"] = std::string(clockwise_ ? "y-to-x" : "x-to-y");
+    take_over(parameters_, analysis.setup, proposals_);
     if (!between.table().rows.empty()) analysis.setup.values["correlations"] = between.table();
     proposals_.found.push_back(tell<"a network of %1 points with %2 readings, which is adjusted">(
         std::get<SetupTable>(analysis.setup.values["points"]).rows.size(), rows_.size()));

@@ -22,12 +22,22 @@ struct GamaPoint {
     bool has(std::size_t axis) const { return (axis < 2 ? plane : height) != "none"; }
 };
 
+/// <parameters>: the unit of weights, the bound of gross absolute terms.
+struct GamaParameters {
+    double sigma = 10.0, tolerance = 1000.0;  ///< a priori; in mm
+    bool a_posteriori = true;
+    std::vector<std::pair<int, Message>> named = {};  ///< what changes results and is not taken over
+};
+GamaParameters gama_parameters(const XmlText& xml, const pugi::xml_node& node);
+
 class GamaNetwork {
 public:
     GamaNetwork(const XmlText& xml, Proposals& proposals) : xml_(xml), proposals_(proposals) {}
 
     /// <network>, of its axes and the sense of its angles.
     void take_axes(const pugi::xml_node& network);
+    void take_parameters(GamaParameters parameters) { parameters_ = std::move(parameters); }
+    const GamaParameters& parameters() const { return parameters_; }
     void take_point(const pugi::xml_node& node, const std::array<std::optional<double>, 3>& p, bool observed);
     /// Coordinates observed in one cluster, and their covariance in mm² where it is stated.
     Result<void> take_coordinates(const pugi::xml_node& cluster);
@@ -54,6 +64,7 @@ private:
     std::vector<StatedCorrelation> of_coordinates_;
     std::vector<Row> rows_;
     std::string axes_ = "ne";
+    GamaParameters parameters_;
     bool clockwise_ = false;  ///< angles grow from y towards x
 };
 

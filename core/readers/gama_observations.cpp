@@ -60,6 +60,19 @@ std::optional<double> sexagesimal_degrees(std::string text) {
     return minus ? -degrees : degrees;
 }
 
+/// Of a + b D^c, D in km: the parts that are stated, at most so many.
+std::optional<std::array<double, 3>> parts_of(const std::string& text, std::size_t most) {
+    std::istringstream words(text);
+    std::array<double, 3> parts{0.0, 0.0, 1.0};
+    std::string word;
+    for (std::size_t i = 0; words >> word; ++i) {
+        const auto number = number_in_text(word);
+        if (!number || i >= most) return std::nullopt;
+        parts[i] = *number;
+    }
+    return parts;
+}
+
 }  // namespace
 
 Result<Eigen::MatrixXd> gama_band(const XmlText& xml, const xml_node& node, std::size_t count,
@@ -134,16 +147,13 @@ Result<std::optional<double>> GamaObservations::deviation(const xml_node& node, 
     const std::string own = text_of(node, "stdev"),
                       common = *of.deviation ? text_of(defaults_, of.deviation) : std::string();
     const std::string& text = own.empty() ? common : own;
+    if (text.empty() && std::string_view(kind) == "dh")
+        if (const auto km = number_in_text(text_of(node, "dist")); km && *km > 0.0 && std::isfinite(*km))
+            return std::optional<double>(of_one_km_ * std::sqrt(*km));
     if (text.empty()) return std::optional<double>();
-    std::istringstream words(text);
-    std::array<double, 3> parts{0.0, 0.0, 1.0};  // a + b D^c, D in km
-    std::string word;
-    for (std::size_t i = 0; words >> word; ++i) {
-        const auto number = number_in_text(word);
-        if (!number || i >= (of.angle || !own.empty() ? 1u : 3u))
-            return xml_.refused(node, tell<"the standard deviation %1 is no number">(in_quotes(text)));
-        parts[i] = *number;
-    }
+    const auto stated = parts_of(text, of.angle || !own.empty() ? 1 : 3);
+    if (!stated) return xml_.refused(node, tell<"the standard deviation %1 is no number">(in_quotes(text)));
+    const std::array<double, 3>& parts = *stated;
     const double u = parts[0] + parts[1] * std::pow(std::abs(value) / 1000.0, parts[2]);
     if (!(u >= 0.0) || !std::isfinite(u))
         return xml_.refused(node, tell<"the standard deviation %1 must not be negative">(in_quotes(text)));

@@ -32,8 +32,10 @@ struct GamaObserved {
 class GamaObservations {
 public:
     /// `defaults`: <points-observations>, whose attributes hold for observations without their own.
-    GamaObservations(const XmlText& xml, const pugi::xml_node& defaults, Proposals& proposals)
-        : xml_(xml), defaults_(defaults), proposals_(proposals) {}
+    /// `of_one_km`: the standard deviation, in mm, of a height difference that states its length alone.
+    GamaObservations(const XmlText& xml, const pugi::xml_node& defaults, double of_one_km,
+                     Proposals& proposals)
+        : xml_(xml), defaults_(defaults), of_one_km_(of_one_km), proposals_(proposals) {}
 
     static bool is_cluster(std::string_view name) {
         return name == "obs" || name == "height-differences" || name == "vectors";
@@ -61,6 +63,7 @@ private:
 
     const XmlText& xml_;
     pugi::xml_node defaults_;
+    double of_one_km_;
     Proposals& proposals_;
     std::vector<StatedQuantity> quantities_;
     std::vector<double> per_unit_;  ///< of each: units of its standard deviation in the file per its own unit

@@ -58,6 +58,10 @@ Message words_of_kind(const FigureKey& key) {
         case ReadingKind::tilt_x:
         case ReadingKind::tilt_y:
             return tell<"tilts of instruments">();
+        case ReadingKind::figure_length:
+        case ReadingKind::figure_ratio:
+        case ReadingKind::figure_angle:
+            return tell<"stated figures of instruments">();
         case ReadingKind::x:
         case ReadingKind::y:
         case ReadingKind::z:
@@ -113,7 +117,7 @@ public:
         for (std::size_t i = 0; i < network_.readings.size(); ++i) {
             const AdjustedReading& reading = network_.readings[i];
             evidence::StatedFigure& figure = readings.figures[number_of[key_of_[i]]];
-            const Unit unit = Unit::of(is_of_angle(reading.kind) ? "arcsec" : "mm");
+            const Unit unit = unit_of_residual(reading.kind);
             if (figure.count++ == 0) {
                 figure.unit = unit;
                 figure.least = figure.most = reading.u;

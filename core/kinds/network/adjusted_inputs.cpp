@@ -10,18 +10,26 @@ namespace {
 
 constexpr std::size_t most_drawn = 600;  ///< sights that can be told apart in one picture
 
+std::string group_of(const AdjustedNetwork& network, const AdjustedReading& reading) {
+    if (is_read(reading.kind) || reading.tilt != AdjustedReading::no_tilt)
+        return network.points[reading.from].name;
+    return network.figures[reading.figures.front()].instrument;
+}
+
 }  // namespace
 
 InputSet adjustment_inputs(const AdjustedNetwork& network) {
     InputSet inputs;
     for (const AdjustedReading& reading : network.readings) {
-        const Unit unit = Unit::of(is_of_angle(reading.kind) ? "gon" : "m");
-        UncertaintyComponent component{.id = reading.symbol,
-                                       .name = words_of(network, reading),
-                                       .unit = Unit::of(is_of_angle(reading.kind) ? "gon" : "mm"),
-                                       .distribution = Distribution::of(Normal{0.0, reading.u}),
-                                       .origin = tell<"as stated">(),
-                                       .source = reading.source};
+        const bool ratio = reading.kind == ReadingKind::figure_ratio;
+        const Unit unit = Unit::of(ratio ? "1" : is_of_angle(reading.kind) ? "gon" : "m");
+        UncertaintyComponent component{
+            .id = reading.symbol,
+            .name = words_of(network, reading),
+            .unit = ratio ? Unit::of("ppm") : Unit::of(is_of_angle(reading.kind) ? "gon" : "mm"),
+            .distribution = Distribution::of(Normal{0.0, reading.u}),
+            .origin = tell<"as stated">(),
+            .source = reading.source};
         const bool seen = reading.estimate != AdjustedReading::no_round;
         if (seen) {
             component.type = EvaluationType::type_a;
@@ -35,7 +43,7 @@ InputSet adjustment_inputs(const AdjustedNetwork& network) {
                                .name = words_of(network, reading),
                                .unit = unit,
                                .offset = reading.value,
-                               .group = network.points[reading.from].name,
+                               .group = group_of(network, reading),
                                .source = reading.source};
         const std::size_t added = inputs.add(std::move(component));
         const std::string estimate = "seen." + std::to_string(reading.estimate);

@@ -29,6 +29,30 @@ private:
     std::shared_ptr<const network::NetworkEvidence> evidence_;
 };
 
+OutputQuantity output_of(const network::InstrumentFigure& figure) {
+    using network::FigureKind;
+    const char* symbol = figure.kind == FigureKind::zero         ? "c"
+                         : figure.kind == FigureKind::scale      ? "m"
+                         : figure.kind == FigureKind::refraction ? "k"
+                         : figure.kind == FigureKind::index      ? "i"
+                                                                 : "q";
+    const char* unit = figure.kind == FigureKind::zero         ? "mm"
+                       : figure.kind == FigureKind::scale      ? "ppm"
+                       : figure.kind == FigureKind::refraction ? "1"
+                                                               : "arcsec";
+    return {.symbol = figure.instrument.empty() ? symbol : symbol + ("_" + figure.instrument),
+            .name = words_of(figure),
+            .unit = Unit::of(unit),
+            .group = own_name<"instruments">()};
+}
+
+/// Coordinates as surveyors have them, in metres.
+bool is_large(const AdjustedNetwork& network) {
+    constexpr double machine_hall = 100.0;  // m
+    return network.state.head(static_cast<Eigen::Index>(3 * network.points.size())).cwiseAbs().maxCoeff() >
+           machine_hall;
+}
+
 /// y of x: the unknowns where J₀ᵀ C⁻¹ (x − h(y)) = 0, J₀ the derivatives at the estimates. There it is the
 /// least sum of squares, and its sensitivities are the rows of the gain Q J₀ᵀ C⁻¹; elsewhere it differs from
 /// the least sum by terms of second order times the residuals.
@@ -178,8 +202,12 @@ private:
     }
 
     void describe_outputs() {
-        const Unit unit = Unit::of(is_large() ? "m" : "mm");
+        const Unit unit = Unit::of(is_large(network_) ? "m" : "mm");
         for (const std::size_t place : network_.place_of) {
+            if (place >= network_.figure(0)) {
+                outputs_.push_back(output_of(network_.figures[place - network_.figure(0)]));
+                continue;
+            }
             if (place >= network_.tilt(0, 0)) {
                 const std::size_t k = (place - network_.tilt(0, 0)) / 2,
                                   axis = (place - network_.tilt(0, 0)) % 2;
@@ -218,14 +246,6 @@ private:
                  .group = own_name<"distances">()});
     }
 
-    /// Coordinates as surveyors have them, in metres.
-    bool is_large() const {
-        constexpr double machine_hall = 100.0;  // m
-        return network_.state.head(static_cast<Eigen::Index>(3 * network_.points.size()))
-                   .cwiseAbs()
-                   .maxCoeff() > machine_hall;
-    }
-
     std::shared_ptr<const network::NetworkEvidence> evidence_;
     const AdjustedNetwork& network_;  ///< of the evidence
     InputSet inputs_;
@@ -236,19 +256,12 @@ private:
 
 std::unique_ptr<MeasurementModel> create_adjustment(const SetupReader& reader, const AssetLibrary& assets,
                                                     Problems& problems) {
-    const network::StatedAdjustment stated = network::adjustment_fields().read(reader, assets, problems);
+    network::StatedAdjustment stated = network::adjustment_fields().read(reader, assets, problems);
     if (problems.has_errors()) return nullptr;
-    std::optional<AdjustedNetwork> made = network::adjusted_network(stated, problems);
+    const auto uncertainties = stated.uncertainties;
+    std::optional<AdjustedNetwork> made = network::adjust_stated(std::move(stated), problems);
     if (!made) return nullptr;
-    if (stated.seen_in)
-        network::take_seen_elsewhere(*made, *stated.seen_in, stated.seen_in.id, stated.seen_in.name,
-                                     problems);
-    if (problems.has_errors()) return nullptr;
-    network::find_start(*made, problems);
-    if (problems.has_errors()) return nullptr;
-    network::adjust(*made, problems);
-    if (problems.has_errors()) return nullptr;
-    network::take_as_seen(*made, stated.uncertainties, problems);
+    network::take_as_seen(*made, uncertainties, problems);
     network::check_adjustment(*made, problems);
     if (problems.has_errors()) return nullptr;
     return std::make_unique<NetworkAdjustment>(std::move(*made));
@@ -260,6 +273,8 @@ std::vector<ModelEquation> adjustment_equations() {
         {"min vᵀ C⁻¹ v", tell<"least squares, Gauss-Newton method">()},
         {"Q = (Jᵀ C⁻¹ J)⁻,  u² = diag Q", tell<"law of propagation; generalised inverse of the datum">()},
         {"Q_S = S Q Sᵀ,  S = I − G (GᵀBG)⁻¹ GᵀB", tell<"free network: W. Baarda, S-transformations, 1973">()},
+        {"d = (1 + m) |p_B − p_A| + c,  z = z_0 + i,  Δh = s cot z + (1 − k) s²/2R",
+         tell<"zero c and scale m of distances, index i, refraction k">()},
         {"r_i = (Q_vv C⁻¹)_ii,  w_i = (C⁻¹ v)_i / √(C⁻¹ Q_vv C⁻¹)_ii",
          tell<"redundancy and test of a reading: W. Baarda, A testing procedure, 1968">()},
         {"∇l_i = δ₀ / √(C⁻¹ Q_vv C⁻¹)_ii", tell<"smallest error of a reading that the test finds">()},
@@ -301,8 +316,11 @@ ModelDescriptor network_adjustment_model() {
         "In Monte Carlo each trial is a solution with the derivatives at the estimates, repeated until it "
         "stands "
         "still.",
-        "Map projections, refraction and the curvature of the Earth are not part of it: reduce the readings "
-        "before."};
+        "Zero, scale, refraction, index and collimation of an instrument are unknowns with or without a "
+        "prior, which all of its readings share.",
+        "Map projections are not part of it: reduce the readings before. The curvature of the Earth counts "
+        "in "
+        "zenith angles where its radius is given."};
     d.help_page = "network-adjustment.md";
     d.example = "levelled-network.covaria";
     d.capabilities = {"point-uncertainty", "seen-figures"};

@@ -9,9 +9,33 @@ namespace covaria::network {
 
 namespace {
 
-Eigen::Vector3d between(const AdjustedReading& reading, std::size_t to, const double* state) {
+/// The number of the reading's figure of that kind in the state; `known`: it has none.
+std::size_t place_of(const AdjustedNetwork& network, const AdjustedReading& reading, FigureKind kind) {
+    for (const std::size_t f : reading.figures)
+        if (network.figures[f].kind == kind) return network.figure(f);
+    return AdjustedNetwork::known;
+}
+
+double figure_of(const AdjustedNetwork& network, const AdjustedReading& reading, FigureKind kind,
+                 const double* state, double otherwise = 0.0) {
+    const std::size_t place = place_of(network, reading, kind);
+    return place == AdjustedNetwork::known ? otherwise : state[place];
+}
+
+/// What a zenith angle's line of sight falls below the plane for each m² of distance: curvature of the Earth
+/// less that of the ray.
+double fall(const AdjustedNetwork& network, const AdjustedReading& reading, const double* state) {
+    if (network.curvature == 0.0 || reading.kind != ReadingKind::zenith_angle) return 0.0;
+    return 0.5 * network.curvature *
+           (1.0 - figure_of(network, reading, FigureKind::refraction, state, network.refraction));
+}
+
+Eigen::Vector3d between(const AdjustedNetwork& network, const AdjustedReading& reading, std::size_t to,
+                        const double* state) {
     const double *a = state + 3 * reading.from, *b = state + 3 * to;
-    return {b[0] - a[0], b[1] - a[1], b[2] - a[2] + reading.height_to - reading.height_from};
+    Eigen::Vector3d v{b[0] - a[0], b[1] - a[1], b[2] - a[2] + reading.height_to - reading.height_from};
+    if (const double by = fall(network, reading, state); by != 0.0) v.z() -= by * v.head<2>().squaredNorm();
+    return v;
 }
 
 /// Axes of an instrument that leans, by columns.
@@ -25,7 +49,7 @@ Eigen::Matrix3d leaning_axes(const AdjustedNetwork& network, const AdjustedReadi
 /// What the instrument sees in its axes, but for the orientation of its circle.
 Eigen::Vector3d seen(const AdjustedNetwork& network, const AdjustedReading& reading, std::size_t to,
                      const double* state) {
-    const Eigen::Vector3d v = between(reading, to, state);
+    const Eigen::Vector3d v = between(network, reading, to, state);
     if (reading.tilt == AdjustedReading::no_tilt) return v;
     return leaning_axes(network, reading, state).transpose() * v;
 }
@@ -76,13 +100,26 @@ Eigen::Vector3d gradient(const AdjustedNetwork& network, ReadingKind kind, const
 /// The gradient of one leg by the points, and by how the instrument leans.
 void add_leg(const AdjustedNetwork& network, const AdjustedReading& reading, std::size_t to, double sign,
              const double* state, StateTerms& terms) {
-    Eigen::Vector3d g = sign * gradient(network, reading.kind, seen(network, reading, to, state));
+    const Eigen::Vector3d v = seen(network, reading, to, state);
+    Eigen::Vector3d g = sign * gradient(network, reading.kind, v);
+    if (reading.kind == ReadingKind::direction) {
+        const double rho = v.head<2>().norm(), d = v.norm();
+        g += figure_of(network, reading, FigureKind::collimation, state) *
+             (v / (d * rho) - d / (rho * rho * rho) * Eigen::Vector3d(v.x(), v.y(), 0.0));
+    }
     if (reading.tilt != AdjustedReading::no_tilt) {
         g = leaning_axes(network, reading, state) * g;
-        const Eigen::Vector3d turned = g.cross(between(reading, to, state));
+        const Eigen::Vector3d turned = g.cross(between(network, reading, to, state));
         const double a = state[network.tilt(reading.tilt, 0)];
         terms.push_back({network.tilt(reading.tilt, 0), turned.x()});
         terms.push_back({network.tilt(reading.tilt, 1), std::cos(a) * turned.y() + std::sin(a) * turned.z()});
+    }
+    if (const double by = fall(network, reading, state); by != 0.0) {
+        const Eigen::Vector3d level = between(network, reading, to, state);
+        if (const std::size_t k = place_of(network, reading, FigureKind::refraction);
+            k != AdjustedNetwork::known)
+            terms.push_back({k, 0.5 * network.curvature * g.z() * level.head<2>().squaredNorm()});
+        g.head<2>() -= 2.0 * by * g.z() * level.head<2>();
     }
     for (std::size_t c = 0; c < 3; ++c) {
         const double by = g[static_cast<Eigen::Index>(c)];
@@ -92,23 +129,37 @@ void add_leg(const AdjustedNetwork& network, const AdjustedReading& reading, std
     }
 }
 
-}  // namespace
-
-bool is_of_angle(ReadingKind kind) {
-    return kind == ReadingKind::direction || kind == ReadingKind::angle || kind == ReadingKind::azimuth ||
-           kind == ReadingKind::zenith_angle || kind == ReadingKind::tilt_x || kind == ReadingKind::tilt_y;
+bool is_distance(ReadingKind kind) {
+    return kind == ReadingKind::slope_distance || kind == ReadingKind::horizontal_distance;
 }
 
-bool needs_heights(ReadingKind kind) {
-    return kind == ReadingKind::slope_distance || kind == ReadingKind::zenith_angle ||
-           kind == ReadingKind::height_difference || kind == ReadingKind::z || kind == ReadingKind::dz;
+/// Derivatives by what the instrument adds to the reading.
+void add_figures(const AdjustedNetwork& network, const AdjustedReading& reading, const double* state,
+                 StateTerms& terms) {
+    for (const std::size_t f : reading.figures) {
+        const Eigen::Vector3d v = seen(network, reading, reading.to, state);
+        switch (network.figures[f].kind) {
+            case FigureKind::zero:
+            case FigureKind::index:
+                terms.push_back({network.figure(f), 1.0});
+                break;
+            case FigureKind::scale:
+                terms.push_back({network.figure(f), reading.kind == ReadingKind::slope_distance
+                                                        ? v.norm()
+                                                        : v.head<2>().norm()});
+                break;
+            case FigureKind::collimation:
+                terms.push_back({network.figure(f), v.norm() / v.head<2>().norm()});
+                break;
+            case FigureKind::refraction:
+                break;  // of the leg
+        }
+    }
 }
 
-bool needs_plane(ReadingKind kind) {
-    return kind != ReadingKind::height_difference && kind != ReadingKind::z && kind != ReadingKind::dz;
-}
-
-double predicted(const AdjustedNetwork& network, const AdjustedReading& reading, const double* state) {
+/// The reading of an instrument without fault.
+double read_without_fault(const AdjustedNetwork& network, const AdjustedReading& reading,
+                          const double* state) {
     const Eigen::Vector3d v = seen(network, reading, reading.to, state);
     switch (reading.kind) {
         case ReadingKind::slope_distance:
@@ -123,17 +174,68 @@ double predicted(const AdjustedNetwork& network, const AdjustedReading& reading,
             return bearing(network, v);
         case ReadingKind::angle:
             return bearing(network, seen(network, reading, reading.second, state)) - bearing(network, v);
+        default:
+            return v[static_cast<Eigen::Index>(axis_of(reading.kind))];
+    }
+}
+
+}  // namespace
+
+bool is_of_angle(ReadingKind kind) {
+    return kind == ReadingKind::direction || kind == ReadingKind::angle || kind == ReadingKind::azimuth ||
+           kind == ReadingKind::zenith_angle || kind == ReadingKind::tilt_x || kind == ReadingKind::tilt_y ||
+           kind == ReadingKind::figure_angle;
+}
+
+bool is_read(ReadingKind kind) {
+    return kind < ReadingKind::tilt_x;
+}
+
+Unit unit_of_residual(ReadingKind kind) {
+    if (kind == ReadingKind::figure_ratio) return Unit::of("ppm");
+    return Unit::of(is_of_angle(kind) ? "arcsec" : "mm");
+}
+
+bool needs_heights(ReadingKind kind) {
+    return kind == ReadingKind::slope_distance || kind == ReadingKind::zenith_angle ||
+           kind == ReadingKind::height_difference || kind == ReadingKind::z || kind == ReadingKind::dz;
+}
+
+bool needs_plane(ReadingKind kind) {
+    return kind != ReadingKind::height_difference && kind != ReadingKind::z && kind != ReadingKind::dz;
+}
+
+double predicted(const AdjustedNetwork& network, const AdjustedReading& reading, const double* state) {
+    switch (reading.kind) {
         case ReadingKind::tilt_x:
             return state[network.tilt(reading.tilt, 0)];
         case ReadingKind::tilt_y:
             return state[network.tilt(reading.tilt, 1)];
+        case ReadingKind::figure_length:
+        case ReadingKind::figure_ratio:
+        case ReadingKind::figure_angle:
+            return state[network.figure(reading.figures.front())];
         case ReadingKind::x:
         case ReadingKind::y:
         case ReadingKind::z:
             return state[3 * reading.from + axis_of(reading.kind)];
         default:
-            return v[static_cast<Eigen::Index>(axis_of(reading.kind))];
+            break;
     }
+    double value = read_without_fault(network, reading, state);
+    for (const std::size_t f : reading.figures) {
+        const double figure = state[network.figure(f)];
+        const FigureKind kind = network.figures[f].kind;
+        if (kind == FigureKind::collimation) {
+            const Eigen::Vector3d v = seen(network, reading, reading.to, state);
+            value += figure * v.norm() / v.head<2>().norm();
+        } else if (kind == FigureKind::scale) {
+            value += figure * read_without_fault(network, reading, state);
+        } else if (kind != FigureKind::refraction) {
+            value += figure;
+        }
+    }
+    return value;
 }
 
 double residual_of(const AdjustedNetwork& network, const AdjustedReading& reading, double value,
@@ -150,6 +252,10 @@ void derivatives(const AdjustedNetwork& network, const AdjustedReading& reading,
             return terms.push_back({network.tilt(reading.tilt, 0), 1.0});
         case ReadingKind::tilt_y:
             return terms.push_back({network.tilt(reading.tilt, 1), 1.0});
+        case ReadingKind::figure_length:
+        case ReadingKind::figure_ratio:
+        case ReadingKind::figure_angle:
+            return terms.push_back({network.figure(reading.figures.front()), 1.0});
         case ReadingKind::x:
         case ReadingKind::y:
         case ReadingKind::z:
@@ -160,7 +266,10 @@ void derivatives(const AdjustedNetwork& network, const AdjustedReading& reading,
         default:
             break;
     }
-    add_leg(network, reading, reading.to, 1.0, state, terms);
+    const double scale =
+        is_distance(reading.kind) ? 1.0 + figure_of(network, reading, FigureKind::scale, state) : 1.0;
+    add_leg(network, reading, reading.to, scale, state, terms);
+    add_figures(network, reading, state, terms);
     if (reading.kind == ReadingKind::direction) terms.push_back({network.orientation(reading.round), -1.0});
 }
 
@@ -187,6 +296,35 @@ Eigen::VectorXd residuals_of(const AdjustedNetwork& network, const double* state
     return r;
 }
 
+Message words_of(const InstrumentFigure& figure) {
+    const Message of = figure.instrument.empty() ? tell<"all instruments">() : Message(figure.instrument);
+    switch (figure.kind) {
+        case FigureKind::zero:
+            return tell<"the zero of %1">(of);
+        case FigureKind::scale:
+            return tell<"the scale of %1">(of);
+        case FigureKind::refraction:
+            return tell<"the refraction coefficient of %1">(of);
+        case FigureKind::index:
+            return tell<"the vertical index of %1">(of);
+        case FigureKind::collimation:
+            return tell<"the collimation of %1">(of);
+    }
+    return {};
+}
+
+double offset_of(const AdjustedNetwork& network, const AdjustedReading& reading) {
+    const double r = residual_of(network, reading, reading.value, network.state.data());
+    if (!is_of_angle(reading.kind)) return r;
+    const double* state = network.state.data();
+    if (reading.kind == ReadingKind::zenith_angle)
+        return r * between(network, reading, reading.to, state).norm();
+    double farthest = 0.0;
+    for (const std::size_t to : {reading.to, reading.second})
+        farthest = std::max(farthest, between(network, reading, to, state).head<2>().norm());
+    return r * farthest;
+}
+
 Message words_of(const AdjustedNetwork& network, const AdjustedReading& reading) {
     const std::string& from = network.points[reading.from].name;
     const std::string& to = network.points[reading.to].name;
@@ -205,6 +343,10 @@ Message words_of(const AdjustedNetwork& network, const AdjustedReading& reading)
             return tell<"height difference %1 – %2">(from, to);
         case ReadingKind::angle:
             return tell<"angle at %1 from %2 to %3">(from, to, network.points[reading.second].name);
+        case ReadingKind::figure_length:
+        case ReadingKind::figure_ratio:
+        case ReadingKind::figure_angle:
+            return words_of(network.figures[reading.figures.front()]);
         case ReadingKind::tilt_x:
             return tell<"tilt about x of the instrument at %1">(from);
         case ReadingKind::tilt_y:

@@ -83,8 +83,50 @@ Columns<Stated::Reading> reading_columns() {
         .add(
             &Row::instrument, "instrument", "instrument",
             "Which instrument read it: readings of one kind by one instrument rest on one figure when stated "
-            "uncertainties are held against the residuals.",
-            {.optional = true});
+            "uncertainties are held against the residuals, and share its figures.",
+            {.optional = true})
+        .choice(&Row::left_out, "use", "use",
+                "A reading that is left out stays in the table, and is told among those left out.",
+                {{false, "used", "used"}, {true, "left-out", "left out"}}, {.optional = true});
+}
+
+Columns<Stated::Figure> figure_columns() {
+    using Row = Stated::Figure;
+    const Unit mm = Unit::of("mm"), ppm = Unit::of("ppm"), rad = Unit::of("rad");
+    const Range positive{.low = 0.0, .low_open = true};
+    return Columns<Row>()
+        .add(&Row::instrument, "instrument", "instrument",
+             "Name of the instrument, as in the column of the readings; empty: of all readings without one.",
+             {.optional = true})
+        .choice(&Row::kind, "figure", "figure",
+                "What it does to all of its readings alike: its zero is added to distances, by its scale "
+                "(weather correction included) they are longer, refraction bends its lines of sight, its "
+                "index is added to zenith angles, its collimation over the sine of the zenith angle to "
+                "directions.",
+                {{FigureKind::zero, "zero", "zero of distances"},
+                 {FigureKind::scale, "scale", "scale of distances"},
+                 {FigureKind::refraction, "refraction", "refraction coefficient"},
+                 {FigureKind::index, "index", "vertical index"},
+                 {FigureKind::collimation, "collimation", "collimation"}})
+        .choice(&Row::knowledge, "knowledge", "knowledge",
+                "Unknown: the readings tell it; stated with u: its value is one more reading, which all of "
+                "the instrument's share; fixed without uncertainty.",
+                {{FigureKnowledge::unknown, "unknown", "unknown"},
+                 {FigureKnowledge::stated, "stated", "stated with u"},
+                 {FigureKnowledge::fixed, "fixed", "fixed"}})
+        .add(&Row::length, "length", "length", "The zero; 0 where it is empty.",
+             {.unit = mm, .optional = true})
+        .add(&Row::u_length, "u_length", "u of length", "Standard uncertainty of a stated zero.",
+             {.unit = mm, .range = positive, .optional = true})
+        .add(&Row::ratio, "ratio", "ratio", "The scale beyond 1, or the refraction coefficient.",
+             {.unit = ppm, .optional = true})
+        .add(&Row::u_ratio, "u_ratio", "u of ratio",
+             "Standard uncertainty of a stated scale or refraction coefficient.",
+             {.unit = ppm, .range = positive, .optional = true})
+        .add(&Row::angle, "angle", "angle", "The index or collimation; 0 where it is empty.",
+             {.unit = rad, .optional = true})
+        .add(&Row::u_angle, "u_angle", "u of angle", "Standard uncertainty of a stated index or collimation.",
+             {.unit = rad, .range = positive, .optional = true});
 }
 
 Columns<Stated::Correlation> correlation_columns() {
@@ -148,12 +190,36 @@ const Fields<StatedAdjustment>& adjustment_fields() {
                  "worth. Readings of the same kind and instrument get the standard uncertainty that it sees, "
                  "with its degrees of freedom, and follow its readings; others stay as stated here.",
                  {.optional = true})
+            .table(&Stated::figures, "figures", "Figures of instruments",
+                   "What an instrument does to all of its readings alike, with what is known of it.",
+                   figure_columns(), {.optional = true})
+            .add(&Stated::earth_radius, "earth_radius", "Radius of the Earth",
+                 "Where the curvature of the Earth counts in zenith angles; empty: it does not.",
+                 {.unit = Unit::of("km"), .range = {.low = 100.0, .low_open = true}, .optional = true})
+            .add(
+                &Stated::refraction, "refraction", "Refraction coefficient",
+                "Of zenith angles, where the curvature of the Earth counts and no instrument states its own.",
+                {.default_value = Quantity{0.13, Unit{}}})
             .table(&Stated::stations, "stations", "Instruments that are not levelled",
                    "Where an instrument stands that is not levelled, or not exactly; all others are.",
                    station_columns(), {.optional = true})
             .table(&Stated::correlations, "correlations", "Correlations of readings",
                    "Correlation coefficients of readings: they change the weights and the uncertainty.",
-                   correlation_columns(), {.optional = true});
+                   correlation_columns(), {.optional = true})
+            .section("What is left out")
+            .add(&Stated::gross_limit, "gross_limit", "Gross readings beyond",
+                 "Readings that miss the adjusted places by more (of an angle: at its target) are looked for "
+                 "at the approximate coordinates, and those that miss these by more are left out; empty: "
+                 "none.",
+                 {.unit = Unit::of("m"), .range = {.low = 0.0, .low_open = true}, .optional = true})
+            .choice(&Stated::leaves_undetermined, "undetermined", "Points that nothing tells",
+                    "They are refused, by name; or left out with their readings, and told.",
+                    {{false, "refuse", "are refused"}, {true, "leave-out", "are left out"}}, false)
+            .choice(&Stated::robust, "outliers", "Outliers",
+                    "All readings are kept, and the adjustment says which contradict the others; or the "
+                    "search begins robustly (Huber's weights), and readings with |w| beyond 3.29 are left "
+                    "out, each with its reason.",
+                    {{false, "keep", "are kept"}, {true, "leave-out", "robust start, and left out"}}, false);
     return fields;
 }
 

@@ -13,10 +13,12 @@ public:
 
     void run() {
         constexpr int most_steps = 60;
+        if (const auto few = too_few_readings(network_))
+            return problems_.error(adjustment_fields().place(&StatedAdjustment::readings), *few);
         for (int k = 0; k < most_steps; ++k) {
             const auto adjusted = std::make_shared<const adjustment::Adjustment>(
                 design_of(network_, network_.state.data()), network_.whitening, network_.datum);
-            if (adjusted->open().cols() > 0) return refuse(*adjusted);
+            if (adjusted->open().cols() > 0) return refuse(adjusted);
             if (!adjusted->is_solved()) break;
             network_.adjusted = adjusted;
             if (!step(*adjusted)) break;
@@ -30,10 +32,37 @@ public:
                  "m and mm), and for coordinates that are far off">());
     }
 
+    /// Residuals beyond some u count by their first power, those of a contradiction less and less.
+    void run_robustly() {
+        constexpr int steps = 40;
+        constexpr double bend = 1.0;  // u
+        const adjustment::SparseRows own = network_.whitening;
+        Eigen::VectorXd before = network_.state;
+        for (int k = 0; k < steps; ++k) {
+            const Eigen::VectorXd r = own * residuals_of(network_, network_.state.data());
+            const Eigen::VectorXd weights =
+                r.unaryExpr([](double v) { return std::sqrt(bend / std::fmax(bend, std::abs(v))); });
+            network_.whitening = adjustment::SparseRows(weights.asDiagonal() * own);
+            const adjustment::Adjustment adjusted(design_of(network_, network_.state.data()),
+                                                  network_.whitening, network_.datum);
+            if (!adjusted.is_solved()) break;
+            const Eigen::VectorXd change =
+                adjusted.step(adjusted.whitened().transpose() * Eigen::VectorXd(weights.cwiseProduct(r)));
+            if (!change.allFinite()) break;
+            before = network_.state;
+            network_.state = moved_by(adjusted, change);
+            if (change.cwiseProduct(adjusted.scale()).lpNorm<Eigen::Infinity>() < 1e-3) break;
+        }
+        if (!network_.state.allFinite()) network_.state = before;
+        network_.whitening = own;
+    }
+
 private:
-    void refuse(const adjustment::Adjustment& adjusted) {
+    void refuse(const std::shared_ptr<const adjustment::Adjustment>& adjusted) {
         constexpr std::size_t most_said = 10;
-        const std::vector<Message> open = open_directions(network_, adjusted);
+        const std::vector<Message> open = open_directions(network_, *adjusted);
+        network_.adjusted = nullptr;
+        network_.unsolved = adjusted;
         const std::string place = adjustment_fields().place(&StatedAdjustment::points);
         for (std::size_t i = 0; i < std::min(open.size(), most_said); ++i) problems_.error(place, open[i]);
         if (open.size() > most_said)
@@ -90,6 +119,11 @@ private:
 };
 
 }  // namespace
+
+void start_robustly(AdjustedNetwork& network) {
+    Problems none;
+    AdjustmentSearch(network, none).run_robustly();
+}
 
 void adjust(AdjustedNetwork& network, Problems& problems) {
     AdjustmentSearch(network, problems).run();

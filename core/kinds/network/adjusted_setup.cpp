@@ -14,20 +14,124 @@ namespace {
 
 using Typed = StatedAdjustment;
 
+bool is_length(FigureKind kind) {
+    return kind == FigureKind::zero;
+}
+bool is_ratio(FigureKind kind) {
+    return kind == FigureKind::scale || kind == FigureKind::refraction;
+}
+
+double value_of(const Typed::Figure& typed, double otherwise) {
+    const std::optional<double>& value = is_length(typed.kind)  ? typed.length
+                                         : is_ratio(typed.kind) ? typed.ratio
+                                                                : typed.angle;
+    return value.value_or(otherwise);
+}
+const std::optional<double>& u_of(const Typed::Figure& typed) {
+    return is_length(typed.kind) ? typed.u_length : is_ratio(typed.kind) ? typed.u_ratio : typed.u_angle;
+}
+
+bool is_changed(const InstrumentFigure& figure, const Typed::Reading& reading) {
+    if (reading.left_out || reading.instrument != figure.instrument) return false;
+    switch (figure.kind) {
+        case FigureKind::zero:
+        case FigureKind::scale:
+            return reading.kind == ReadingKind::slope_distance ||
+                   reading.kind == ReadingKind::horizontal_distance;
+        case FigureKind::collimation:
+            return reading.kind == ReadingKind::direction;
+        default:
+            return reading.kind == ReadingKind::zenith_angle;
+    }
+}
+
+InstrumentFigure figure_of_row(const Typed& stated, std::size_t row, const AdjustedNetwork& made,
+                               Problems& problems) {
+    const Typed::Figure& typed = stated.figures[row];
+    const std::string path = adjustment_fields().place(&Typed::figures, row);
+    InstrumentFigure figure{typed.instrument, typed.kind, typed.knowledge != FigureKnowledge::fixed};
+    const Message words = words_of(figure);
+    for (const InstrumentFigure& other : made.figures)
+        if (other.instrument == typed.instrument && other.kind == typed.kind)
+            problems.error(path, tell<"%1 is stated twice">(words));
+    if (typed.knowledge == FigureKnowledge::stated && !u_of(typed))
+        problems.error(path, tell<"%1: its standard uncertainty is missing">(words));
+    if (typed.kind == FigureKind::refraction && made.curvature == 0.0)
+        problems.error(path, tell<"%1 needs the radius of the Earth">(words));
+    const bool is_used =
+        std::ranges::any_of(stated.readings, [&](const Typed::Reading& r) { return is_changed(figure, r); });
+    if (!is_used)
+        problems.error(path, tell<"there is no reading that %1 would change: readings say their "
+                                  "instrument in their column">(words));
+    return figure;
+}
+
+void add_stated_figures(const Typed& stated, AdjustedNetwork& made) {
+    for (std::size_t row = 0; row < stated.figures.size(); ++row) {
+        const Typed::Figure& typed = stated.figures[row];
+        if (typed.knowledge != FigureKnowledge::stated) continue;
+        AdjustedReading reading{.kind = is_length(typed.kind)  ? ReadingKind::figure_length
+                                        : is_ratio(typed.kind) ? ReadingKind::figure_ratio
+                                                               : ReadingKind::figure_angle};
+        reading.value = value_of(typed, typed.kind == FigureKind::refraction ? made.refraction : 0.0);
+        reading.u = *u_of(typed);
+        reading.figures = {row};
+        reading.source = adjustment_fields().place(&Typed::figures, row);
+        made.readings.push_back(std::move(reading));
+    }
+}
+
+void check_parts(const AdjustedNetwork& made, const AdjustedReading& reading, Problems& problems) {
+    for (const std::size_t p : {reading.from, reading.to, reading.second}) {
+        const AdjustedPoint& point = made.points[p];
+        const bool by_all = reading.tilt != AdjustedReading::no_tilt ||
+                            std::ranges::any_of(reading.figures, [&](std::size_t f) {
+                                return made.figures[f].kind == FigureKind::collimation;
+                            });
+        if ((by_all || needs_heights(reading.kind)) && !point.has(2))
+            return problems.error(reading.source,
+                                  tell<"%1 needs the height of %2, which is not part of the network">(
+                                      words_of(made, reading), point.name));
+        if (needs_plane(reading.kind) && !point.has(0))
+            return problems.error(reading.source,
+                                  tell<"%1 needs x and y of %2, which are not part of the network">(
+                                      words_of(made, reading), point.name));
+    }
+}
+
+bool is_of_one_point(ReadingKind kind) {
+    return kind == ReadingKind::x || kind == ReadingKind::y || kind == ReadingKind::z;
+}
+
+/// What an instrument that leans reads by its own axes.
+bool is_by_axes(ReadingKind kind) {
+    return kind == ReadingKind::direction || kind == ReadingKind::angle || kind == ReadingKind::zenith_angle;
+}
+
+bool is_left_out(const Typed& stated, const std::string& label) {
+    return std::ranges::any_of(stated.readings,
+                               [&](const Typed::Reading& r) { return r.left_out && r.label == label; });
+}
+
 class AdjustmentReading {
 public:
     AdjustmentReading(const Typed& stated, Problems& problems) : stated_(stated), problems_(problems) {}
 
     std::optional<AdjustedNetwork> read() {
         made_.clockwise = stated_.clockwise;
+        if (stated_.earth_radius) made_.curvature = 1.0 / *stated_.earth_radius;
+        made_.refraction = stated_.refraction;
         for (std::size_t row = 0; row < stated_.points.size(); ++row) take_point(row);
         if (problems_.has_errors()) return {};
         for (std::size_t row = 0; row < stated_.stations.size(); ++row) take_station(row);
+        for (std::size_t row = 0; row < stated_.figures.size(); ++row)
+            made_.figures.push_back(figure_of_row(stated_, row, made_, problems_));
         for (std::size_t row = 0; row < stated_.readings.size(); ++row) take_reading(row);
         for (std::size_t row = 0; row < stated_.distances.size(); ++row) take_distance(row);
         if (problems_.has_errors()) return {};
         for (std::size_t row = 0; row < stated_.points.size(); ++row) add_stated_coordinates(row);
         add_stated_tilts();
+        add_stated_figures(stated_, made_);
         number();
         take_correlations();
         weigh();
@@ -82,12 +186,6 @@ private:
         made_.leaning.push_back(*point);
     }
 
-    /// What an instrument that leans reads by its own axes.
-    static bool is_by_axes(ReadingKind kind) {
-        return kind == ReadingKind::direction || kind == ReadingKind::angle ||
-               kind == ReadingKind::zenith_angle;
-    }
-
     void add_stated_tilts() {
         for (std::size_t row = 0; row < stated_.stations.size(); ++row) {
             const Typed::Station& typed = stated_.stations[row];
@@ -101,10 +199,6 @@ private:
         }
     }
 
-    static bool is_of_one_point(ReadingKind kind) {
-        return kind == ReadingKind::x || kind == ReadingKind::y || kind == ReadingKind::z;
-    }
-
     void take_reading(std::size_t row) {
         const Typed::Reading& typed = stated_.readings[row];
         const std::string path = reading_place(row);
@@ -114,6 +208,7 @@ private:
         const auto second = typed.kind == ReadingKind::angle ? called(typed.second, path) : to;
         if (!from || !to || !second) return;
         reading.instrument = typed.instrument;
+        reading.row = row;
         reading.from = *from, reading.to = *to, reading.second = *second;
         reading.height_from = typed.height_from;
         reading.height_to = typed.height_to;
@@ -122,11 +217,19 @@ private:
         if (typed.kind == ReadingKind::angle && *to == *second)
             return problems_.error(path, tell<"both legs of the angle at %1 go to %2">(typed.from, typed.to));
         take_value(typed, reading);
+        if (typed.left_out) return leave_out(reading, typed.why_left_out);
+        for (std::size_t f = 0; f < made_.figures.size(); ++f)
+            if (is_changed(made_.figures[f], typed)) reading.figures.push_back(f);
         if (typed.kind == ReadingKind::direction) reading.round = round_of(*from, typed.round);
         if (const auto leaning = leaning_.find(*from); leaning != leaning_.end() && is_by_axes(typed.kind))
             reading.tilt = leaning->second;
-        check_parts(reading);
+        check_parts(made_, reading, problems_);
         made_.readings.push_back(std::move(reading));
+    }
+
+    void leave_out(const AdjustedReading& reading, const Message& why) {
+        made_.left_out.push_back(
+            {words_of(made_, reading), why.empty() ? tell<"by hand">() : why, reading.source});
     }
 
     void take_value(const Typed::Reading& typed, AdjustedReading& reading) {
@@ -157,21 +260,6 @@ private:
         return known->second;
     }
 
-    void check_parts(const AdjustedReading& reading) {
-        for (const std::size_t p : {reading.from, reading.to, reading.second}) {
-            const AdjustedPoint& point = made_.points[p];
-            const bool by_all = reading.tilt != AdjustedReading::no_tilt;
-            if ((by_all || needs_heights(reading.kind)) && !point.has(2))
-                return problems_.error(reading.source,
-                                       tell<"%1 needs the height of %2, which is not part of the network">(
-                                           words_of(made_, reading), point.name));
-            if (needs_plane(reading.kind) && !point.has(0))
-                return problems_.error(reading.source,
-                                       tell<"%1 needs x and y of %2, which are not part of the network">(
-                                           words_of(made_, reading), point.name));
-        }
-    }
-
     void take_distance(std::size_t row) {
         const std::string path = adjustment_fields().place(&Typed::distances, row);
         const auto from = called(stated_.distances[row].from, path),
@@ -196,7 +284,8 @@ private:
 
     void number() {
         const std::size_t coordinates = 3 * made_.points.size(),
-                          places = coordinates + made_.rounds.size() + 2 * made_.leaning.size();
+                          instruments = coordinates + made_.rounds.size() + 2 * made_.leaning.size(),
+                          places = instruments + made_.figures.size();
         made_.state = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(places));
         made_.unknown_of.assign(places, AdjustedNetwork::known);
         for (std::size_t p = 0; p < made_.points.size(); ++p)
@@ -208,13 +297,21 @@ private:
                     made_.datum.push_back(made_.place_of.size());
                 add_unknown(place);
             }
-        const bool finds = !made_.place_of.empty();
-        for (std::size_t place = coordinates; place < places; ++place) add_unknown(place);
+        bool finds = !made_.place_of.empty();
+        for (std::size_t place = coordinates; place < instruments; ++place) add_unknown(place);
+        for (std::size_t f = 0; f < made_.figures.size(); ++f) {
+            const bool refracts = made_.figures[f].kind == FigureKind::refraction;
+            made_.state[static_cast<Eigen::Index>(made_.figure(f))] =
+                value_of(stated_.figures[f], refracts ? made_.refraction : 0.0);
+            if (!made_.figures[f].is_found) continue;
+            add_unknown(made_.figure(f));
+            finds = true;
+        }
         if (!finds)
             problems_.error(adjustment_fields().place(&Typed::points),
                             tell<"all points are fixed: there is nothing to be found">());
         static constexpr std::array<const char*, reading_kinds> letters{
-            "s", "d", "r", "a", "t", "v", "h", "x", "y", "z", "dx", "dy", "dz", "lx", "ly"};
+            "s", "d", "r", "a", "t", "v", "h", "x", "y", "z", "dx", "dy", "dz", "lx", "ly", "f", "f", "f"};
         for (std::size_t i = 0; i < made_.readings.size(); ++i)
             made_.readings[i].symbol =
                 letters[static_cast<std::size_t>(made_.readings[i].kind)] + ("_" + std::to_string(i + 1));
@@ -236,7 +333,7 @@ private:
             const std::string path = adjustment_fields().place(&Typed::correlations, row);
             const auto first = labels.find(typed.first), second = labels.find(typed.second);
             for (const auto& [found, name] : {std::pair(first, typed.first), std::pair(second, typed.second)})
-                if (found == labels.end())
+                if (found == labels.end() && !is_left_out(stated_, name))
                     problems_.error(path, tell<"there is no reading with the label %1">(name));
             if (first == labels.end() || second == labels.end()) continue;
             if (first->second == second->second)

@@ -44,9 +44,16 @@ enum class ReadingKind {
     dz,
     tilt_x,  ///< how an instrument leans about x, then about y: stated, not read
     tilt_y,
+    figure_length,  ///< a figure of an instrument: stated, not read
+    figure_ratio,
+    figure_angle,
 };
-inline constexpr std::size_t reading_kinds = 15;
+inline constexpr std::size_t reading_kinds = 18;
 bool is_of_angle(ReadingKind kind);
+/// Of points; false of what is stated of instruments.
+bool is_read(ReadingKind kind);
+/// Residuals are shown in it.
+Unit unit_of_residual(ReadingKind kind);
 /// It needs the heights of its points.
 bool needs_heights(ReadingKind kind);
 /// It needs their places in the plane.
@@ -54,6 +61,17 @@ bool needs_plane(ReadingKind kind);
 
 using evidence::UncertaintiesFrom;
 class SeenFiguresSource;  // core/kinds/network/seen_figures.h
+
+/// What an instrument does to all of its readings alike.
+enum class FigureKind {
+    zero,         ///< added to distances
+    scale,        ///< of distances, beyond 1
+    refraction,   ///< coefficient k of zenith angles
+    index,        ///< added to zenith angles
+    collimation,  ///< across the line of sight: directions by it over the sine of the zenith angle
+};
+
+enum class FigureKnowledge { unknown, stated, fixed };
 
 /// As typed, SI.
 struct StatedAdjustment {
@@ -69,6 +87,8 @@ struct StatedAdjustment {
         std::string from = {}, to = {}, second = {}, round = {}, instrument = {};
         std::optional<double> length = {}, angle = {}, u_length = {}, u_angle = {};
         double height_from = 0.0, height_to = 0.0;
+        bool left_out = false;
+        Message why_left_out = {};  ///< not by hand
     };
     struct Correlation {
         std::string first, second;
@@ -82,12 +102,24 @@ struct StatedAdjustment {
         bool stated = false;
         std::optional<double> u;
     };
+    struct Figure {
+        std::string instrument = {};
+        FigureKind kind = FigureKind::zero;
+        FigureKnowledge knowledge = FigureKnowledge::unknown;
+        std::optional<double> length, ratio, angle, u_length, u_ratio, u_angle;
+    };
     std::vector<Point> points;
     std::vector<Reading> readings;
+    std::vector<Figure> figures;
     std::vector<Correlation> correlations;
     std::vector<Station> stations;
     std::vector<Distance> distances;
     bool clockwise = false;
+    std::optional<double> earth_radius;
+    double refraction = 0.0;
+    std::optional<double> gross_limit;  ///< readings that miss the beginning by more are left out
+    bool leaves_undetermined = false;   ///< points that nothing determines are left out
+    bool robust = false;                ///< a robust start, and outliers are left out
     UncertaintiesFrom uncertainties = UncertaintiesFrom::stated;
     Offered<SeenFiguresSource> seen_in;  ///< empty: the table of readings states all of them
 };
@@ -107,9 +139,11 @@ struct AdjustedReading {
     ReadingKind kind = ReadingKind::slope_distance;
     std::size_t from = 0, to = 0, second = 0;  ///< points
     std::size_t round = no_round;              ///< of a direction
+    std::size_t row = no_round;                ///< of the table of readings
     std::size_t tilt = no_tilt;                ///< of an instrument that is not levelled
     double value = 0.0, u = 0.0;               ///< SI
     double height_from = 0.0, height_to = 0.0;
+    std::vector<std::size_t> figures = {};  ///< of the instrument, which change it
     std::string label = {};
     std::string instrument = {};
     /// Readings gave the u, as one estimate with others: its number, and how well it is known.
@@ -127,22 +161,41 @@ struct Round {
     std::string name = {};
 };
 
+/// A figure of an instrument, as it is adjusted.
+struct InstrumentFigure {
+    std::string instrument = {};
+    FigureKind kind = FigureKind::zero;
+    bool is_found = true;
+};
+
+/// What is not adjusted, and why.
+struct LeftOut {
+    Message what, why;
+    std::string source = {};
+};
+
 struct ReadingCorrelation {
     std::size_t first = 0, second = 0;
     double coefficient = 0.0;
 };
 
 /// The network is what its state says: coordinates of all points, then orientations of the rounds, then how
-/// instruments lean that are not levelled: about x and, in its axes then, about y.
+/// instruments lean that are not levelled: about x and, in its axes then, about y; then figures of
+/// instruments.
 struct AdjustedNetwork {
     static constexpr std::size_t known = static_cast<std::size_t>(-1);
     std::vector<AdjustedPoint> points;
     std::vector<AdjustedReading> readings;  ///< those stated of coordinates last
     std::vector<Round> rounds;
     std::vector<std::size_t> leaning;  ///< points of instruments that are not levelled
+    std::vector<InstrumentFigure> figures;
     std::vector<ReadingCorrelation> correlations;
     std::vector<std::array<std::size_t, 2>> distances;
-    bool clockwise = false;  ///< directions grow from y towards x, azimuths count from y
+    std::vector<LeftOut> left_out;
+    std::vector<std::size_t> unplaced;  ///< points that the readings do not place
+    double curvature = 0.0;             ///< of the Earth, 1/m; 0: it does not count
+    double refraction = 0.0;            ///< where no figure says it
+    bool clockwise = false;             ///< directions grow from y towards x, azimuths count from y
 
     Eigen::VectorXd state;                ///< at the estimates; before them where the search begins
     Eigen::VectorXd stated;               ///< as `state`, as typed: what the datum keeps
@@ -153,6 +206,7 @@ struct AdjustedNetwork {
     adjustment::SparseRows whitening;
     std::shared_ptr<const adjustment::Adjustment> adjusted;  ///< at the estimates
     adjustment::Reliability reliability;                     ///< there
+    std::shared_ptr<const adjustment::Adjustment> unsolved;  ///< what left something open
     /// With the uncertainties that were stated, where others are in use; null: those in use were stated.
     std::shared_ptr<const evidence::RedundantReadings> evidence;
 
@@ -161,15 +215,20 @@ struct AdjustedNetwork {
     std::size_t tilt(std::size_t number, std::size_t axis) const {
         return 3 * points.size() + rounds.size() + 2 * number + axis;
     }
+    std::size_t figure(std::size_t number) const {
+        return 3 * points.size() + rounds.size() + 2 * leaning.size() + number;
+    }
     Eigen::Vector3d position(std::size_t point) const {
         return state.segment<3>(static_cast<Eigen::Index>(3 * point));
     }
-    /// Output quantities: coordinates that are found, orientations and tilts, distances.
+    /// Output quantities: coordinates that are found, orientations, tilts and figures, distances.
     std::size_t outputs() const { return place_of.size() + distances.size(); }
 };
 
 /// "slope distance A – B".
 Message words_of(const AdjustedNetwork& network, const AdjustedReading& reading);
+/// "the zero of T1".
+Message words_of(const InstrumentFigure& figure);
 
 /// Checked; nothing is adjusted yet. Empty if `problems` got an error.
 std::optional<AdjustedNetwork> adjusted_network(const StatedAdjustment& stated, Problems& problems);
@@ -178,6 +237,17 @@ void find_start(AdjustedNetwork& network, Problems& problems);
 /// The least sum of squares: `state`, `adjusted` and `reliability`. Errors say what the readings leave open,
 /// by name.
 void adjust(AdjustedNetwork& network, Problems& problems);
+/// Huber's weights from where the search begins: `state` near the least sum of the readings that agree.
+void start_robustly(AdjustedNetwork& network);
+/// Checked, begun, adjusted. What the set-up lets go is left out, with its reason: readings that were left
+/// out by hand, that miss the beginning by too much, that contradict the others; points that nothing tells.
+std::optional<AdjustedNetwork> adjust_stated(StatedAdjustment stated, Problems& problems);
+/// Readings whose errors the test cannot tell from one of this reading, by name; empty: none.
+Message alike_words(const AdjustedNetwork& network, std::size_t reading);
+/// How far the reading is from the state, in m: an angle at its target.
+double offset_of(const AdjustedNetwork& network, const AdjustedReading& reading);
+/// A sentence, where the readings are fewer than what they are to tell with the figures of instruments.
+std::optional<Message> too_few_readings(const AdjustedNetwork& network);
 /// Sentences for the directions that neither a reading nor the datum determines.
 std::vector<Message> open_directions(const AdjustedNetwork& network, const adjustment::Adjustment& adjusted);
 

@@ -24,6 +24,26 @@ struct Sighting {
     double angle = 0.0;
 };
 
+struct Ray {
+    Vector2 from, along;
+    std::size_t point;
+};
+
+bool intersect(PlaneFrame& frame, std::size_t p, const std::vector<Ray>& rays) {
+    constexpr double least_sine = 0.02;
+    double best = least_sine;
+    for (std::size_t i = 0; i < rays.size(); ++i)
+        for (std::size_t k = i + 1; k < rays.size(); ++k) {
+            const Vector2 &a = rays[i].along, &b = rays[k].along;
+            const double sine = a.x() * b.y() - a.y() * b.x();
+            if (rays[i].point == rays[k].point || std::abs(sine) <= best) continue;
+            const Vector2 v = rays[k].from - rays[i].from;
+            best = std::abs(sine);
+            frame.places[p] = rays[i].from + (v.x() * b.y() - v.y() * b.x()) / sine * a;
+        }
+    return frame.places[p].has_value();
+}
+
 /// What the readings say of the plane: directions in rounds (an angle is a round of two), azimuths in a round
 /// whose orientation is 0, horizontal distances, differences of coordinates.
 class PlaneReadings {
@@ -135,11 +155,6 @@ private:
         return more;
     }
 
-    struct Ray {
-        Vector2 from, along;
-        std::size_t point;
-    };
-
     bool place(PlaneFrame& frame, std::size_t p) const {
         std::vector<Ray> rays;
         for (const Sighting& s : sightings_) {
@@ -153,22 +168,7 @@ private:
                 frame.places[p] = ray.from + *d * ray.along;
                 return true;
             }
-        return intersect(frame, p, rays) || stand_freely(frame, p) || by_distances(frame, p);
-    }
-
-    static bool intersect(PlaneFrame& frame, std::size_t p, const std::vector<Ray>& rays) {
-        constexpr double least_sine = 0.02;
-        double best = least_sine;
-        for (std::size_t i = 0; i < rays.size(); ++i)
-            for (std::size_t k = i + 1; k < rays.size(); ++k) {
-                const Vector2 &a = rays[i].along, &b = rays[k].along;
-                const double sine = a.x() * b.y() - a.y() * b.x();
-                if (rays[i].point == rays[k].point || std::abs(sine) <= best) continue;
-                const Vector2 v = rays[k].from - rays[i].from;
-                best = std::abs(sine);
-                frame.places[p] = rays[i].from + (v.x() * b.y() - v.y() * b.x()) / sine * a;
-            }
-        return frame.places[p].has_value();
+        return intersect(frame, p, rays) || stand_freely(frame, p, rays) || by_distances(frame, p);
     }
 
     struct Sighted {
@@ -182,7 +182,8 @@ private:
     };
 
     /// Where it stands if its circle points to `orientation`: linear least squares.
-    Standing standing(const std::vector<Sighted>& targets, double orientation) const {
+    Standing standing(const std::vector<Sighted>& targets, const std::vector<Ray>& rays,
+                      double orientation) const {
         Eigen::Matrix2d N = Eigen::Matrix2d::Zero();
         Vector2 g = Vector2::Zero();
         const Vector2& origin = targets.front().at;
@@ -191,6 +192,10 @@ private:
                 const Vector2 e = along(orientation + t.angle), across(-e.y(), e.x());
                 take(across, across.dot(t.at - origin));
                 if (t.distance) take(e, e.dot(t.at - origin) - *t.distance);
+            }
+            for (const Ray& ray : rays) {
+                const Vector2 across(-ray.along.y(), ray.along.x());
+                take(across, across.dot(ray.from - origin));
             }
         };
         rows([&](const Vector2& a, double b) {
@@ -205,13 +210,16 @@ private:
         found.at = origin + p;
         for (const Sighted& t : targets)
             if (along(orientation + t.angle).dot(t.at - found.at) < 0.0) return found;
+        for (const Ray& ray : rays)
+            if (ray.along.dot(found.at - ray.from) < 0.0) return found;
         found.misfit = 0.0;
         rows([&](const Vector2& a, double b) { found.misfit += std::pow(a.dot(p) - b, 2); });
         return found;
     }
 
-    /// Resection, with distances where there are some: of all orientations the one that fits best.
-    bool stand_freely(PlaneFrame& frame, std::size_t p) const {
+    /// Resection, with distances and sights from others where there are some: of all orientations the one
+    /// that fits best.
+    bool stand_freely(PlaneFrame& frame, std::size_t p, const std::vector<Ray>& rays) const {
         std::map<std::size_t, std::vector<Sighted>> targets;
         std::map<std::size_t, std::size_t> rows;
         for (const Sighting& s : sightings_) {
@@ -221,18 +229,19 @@ private:
             rows[s.round] += d ? 2 : 1;
         }
         for (const auto& [round, seen] : targets) {
-            if (seen.size() < 2 || rows[round] < 3) continue;
+            if (seen.size() < 2 || rows[round] + rays.size() < 3) continue;
             constexpr int steps = 720;
             Standing best;
             for (int k = 0; k < steps; ++k)
-                if (const Standing s = standing(seen, 2.0 * std::numbers::pi * k / steps);
+                if (const Standing s = standing(seen, rays, 2.0 * std::numbers::pi * k / steps);
                     s.misfit < best.misfit)
                     best = s;
             if (!std::isfinite(best.misfit)) continue;
             for (double width = 2.0 * std::numbers::pi / steps; width > 1e-8; width *= 0.25) {
                 const double middle = best.orientation;
                 for (int k = -4; k <= 4; ++k)
-                    if (const Standing s = standing(seen, middle + 0.25 * k * width); s.misfit < best.misfit)
+                    if (const Standing s = standing(seen, rays, middle + 0.25 * k * width);
+                        s.misfit < best.misfit)
                         best = s;
             }
             frame.places[p] = best.at;
@@ -277,6 +286,29 @@ private:
     std::vector<Difference> vectors_;
     std::map<std::pair<std::size_t, std::size_t>, double> distances_;
 };
+
+/// Of the first ones the one with the least sum of differences, then the mean of those about it.
+double agreed(const std::vector<double>& turns) {
+    constexpr std::size_t most_tried = 30;
+    constexpr double about = 0.1;
+    double best = infinity, middle = 0.0;
+    for (std::size_t i = 0; i < std::min(most_tried, turns.size()); ++i) {
+        double sum = 0.0;
+        for (const double turn : turns)
+            sum += std::abs(std::remainder(turn - turns[i], 2.0 * std::numbers::pi));
+        if (sum >= best) continue;
+        best = sum;
+        middle = turns[i];
+    }
+    double sum = 0.0, count = 0.0;
+    for (const double turn : turns) {
+        const double d = std::remainder(turn - middle, 2.0 * std::numbers::pi);
+        if (std::abs(d) > about) continue;
+        sum += d;
+        ++count;
+    }
+    return std::remainder(middle + (count > 0.0 ? sum / count : 0.0), 2.0 * std::numbers::pi);
+}
 
 class Start {
 public:
@@ -396,6 +428,7 @@ private:
             }
             if (!network_.points[p].has(0)) continue;
             constexpr std::size_t most_named = 10;
+            network_.unplaced.push_back(p);
             if (missing == 0) first = p;
             if (missing++ < most_named) names += (names.empty() ? "" : ", ") + network_.points[p].name;
         }
@@ -459,17 +492,17 @@ private:
         return count > 0.0 ? sum / count : 0.0;
     }
 
+    /// The turn that the directions of a round agree with best: a direction to a wrong target turns no
+    /// others.
     void orient_rounds() {
-        std::vector<Vector2> sums(network_.rounds.size(), Vector2::Zero());
+        std::vector<std::vector<double>> turns(network_.rounds.size());
         for (const AdjustedReading& r : network_.readings) {
             if (r.kind != ReadingKind::direction) continue;
             const Vector2 v = (network_.position(r.to) - network_.position(r.from)).head<2>();
-            const double turn = readings_.bearing(v) - r.value;
-            sums[r.round] += Vector2(std::cos(turn), std::sin(turn));
+            turns[r.round].push_back(readings_.bearing(v) - r.value);
         }
-        for (std::size_t k = 0; k < sums.size(); ++k)
-            network_.state[static_cast<Eigen::Index>(network_.orientation(k))] =
-                std::atan2(sums[k].y(), sums[k].x());
+        for (std::size_t k = 0; k < turns.size(); ++k)
+            network_.state[static_cast<Eigen::Index>(network_.orientation(k))] = agreed(turns[k]);
     }
 
     AdjustedNetwork& network_;

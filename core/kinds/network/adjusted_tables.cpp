@@ -13,10 +13,6 @@ namespace {
 
 constexpr std::size_t most_effects = 4'000'000;  ///< readings times unknowns of which effects are computed
 
-Unit unit_of_residual(const AdjustedReading& reading) {
-    return Unit::of(is_of_angle(reading.kind) ? "arcsec" : "mm");
-}
-
 Message test_words(const adjustment::Reliability& found) {
     return tell<"Chi-square of the residuals: %1 with %2 degrees of freedom, p = %3.">(
         Message::number(format_short(found.sum_of_squares, 6)), found.degrees_of_freedom,
@@ -95,7 +91,7 @@ Table readings_table(const AdjustedNetwork& network, const adjustment::Reliabili
     for (const std::size_t i : order) {
         const AdjustedReading& reading = network.readings[i];
         const adjustment::ReadingReliability& r = found.readings[i];
-        const Unit unit = unit_of_residual(reading);
+        const Unit unit = unit_of_residual(reading.kind);
         std::vector<Cell> row{words_of(network, reading), Quantity{unit.from_si(r.residual), unit},
                               Quantity{unit.from_si(reading.u), unit}, std::max(0.0, r.redundancy)};
         if (!r.controlled) {
@@ -112,7 +108,11 @@ Table readings_table(const AdjustedNetwork& network, const adjustment::Reliabili
                           ? Cell(tell<"%1, coordinate %2">(network.points[effect.place / 3].name,
                                                            std::string(along_axes[effect.place % 3])))
                           : Cell());
-        row.push_back(outlier ? tell<"outlier?">() : Message());
+        constexpr std::size_t most_compared = 30;
+        const Message alike = outlier && outliers <= most_compared ? alike_words(network, i) : Message();
+        row.push_back(!outlier        ? Message()
+                      : alike.empty() ? tell<"outlier?">()
+                                      : tell<"outlier? it cannot be told apart from %1">(alike));
         table.row(std::move(row));
     }
     if (outliers > 0)
@@ -122,11 +122,21 @@ Table readings_table(const AdjustedNetwork& network, const adjustment::Reliabili
     return table;
 }
 
+Table left_out_table(const AdjustedNetwork& network) {
+    Table table{"left-out", known_text<"What is left out">()};
+    table.add(known_text<"What">());
+    table.add(known_text<"Reason">());
+    for (const LeftOut& out : network.left_out) table.row({out.what, out.why});
+    return table;
+}
+
 }  // namespace
 
 std::vector<Table> adjustment_tables(const AdjustedNetwork& network) {
     const adjustment::Reliability& found = reliability_of(network);
-    return {figures_table(network, found), readings_table(network, found)};
+    std::vector<Table> tables{figures_table(network, found), readings_table(network, found)};
+    if (!network.left_out.empty()) tables.push_back(left_out_table(network));
+    return tables;
 }
 
 void check_adjustment(const AdjustedNetwork& network, Problems& problems) {

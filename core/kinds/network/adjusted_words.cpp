@@ -45,20 +45,78 @@ Eigen::MatrixXd without(const Eigen::MatrixXd& basis, const Eigen::MatrixXd& sai
     return left;
 }
 
+/// Points that readings connect.
+std::vector<std::vector<std::size_t>> parts_of(const AdjustedNetwork& network) {
+    std::vector<std::size_t> leader(network.points.size());
+    std::iota(leader.begin(), leader.end(), 0);
+    const auto leader_of = [&](std::size_t i) {
+        while (leader[i] != i) i = leader[i] = leader[leader[i]];
+        return i;
+    };
+    for (const AdjustedReading& r : network.readings)
+        for (const std::size_t other : {r.to, r.second}) leader[leader_of(other)] = leader_of(r.from);
+    std::vector<std::vector<std::size_t>> found;
+    std::vector<std::ptrdiff_t> number(leader.size(), -1);
+    for (std::size_t p = 0; p < leader.size(); ++p) {
+        std::ptrdiff_t& of = number[leader_of(p)];
+        if (of < 0) {
+            of = static_cast<std::ptrdiff_t>(found.size());
+            found.emplace_back();
+        }
+        found[static_cast<std::size_t>(of)].push_back(p);
+    }
+    return found;
+}
+
+/// Of instruments alone: zero and scale where all distances are as long.
+Message figures_apart(const AdjustedNetwork& network, const Eigen::VectorXd& move) {
+    Message names;
+    for (std::size_t f = 0; f < network.figures.size(); ++f) {
+        const std::size_t k = network.unknown_of[network.figure(f)];
+        if (k == AdjustedNetwork::known || std::abs(move[static_cast<Eigen::Index>(k)]) < 0.05) continue;
+        const Message words = words_of(network.figures[f]);
+        names = names.empty() ? words : tell<"%1 and %2">(names, words);
+    }
+    return tell<
+        "the readings cannot tell %1 apart: add readings that see them differently, or state one of "
+        "them">(names);
+}
+
+double coordinate_share(const std::vector<std::size_t>& own, std::size_t coordinates,
+                        const Eigen::MatrixXd& moves) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < coordinates; ++i)
+        sum += moves.row(static_cast<Eigen::Index>(own[i])).squaredNorm();
+    return sum;
+}
+
 class OpenDirections {
 public:
     OpenDirections(const AdjustedNetwork& network, const adjustment::Adjustment& adjusted)
         : network_(network), adjusted_(adjusted), open_(adjusted.open()) {}
 
     std::vector<Message> say() {
+        say_figures();
         for (std::size_t p = 0; p < network_.points.size() && open_.cols() > 0; ++p) say_point(p);
         if (open_.cols() > 0)
-            for (const std::vector<std::size_t>& part : parts()) say_part(part);
+            for (const std::vector<std::size_t>& part : parts_of(network_)) say_part(part);
         for (Eigen::Index j = 0; j < open_.cols(); ++j) say_rest(open_.col(j));
         return std::move(said_);
     }
 
 private:
+    void say_figures() {
+        for (std::size_t f = 0; f < network_.figures.size() && open_.cols() > 0; ++f) {
+            const std::size_t k = network_.unknown_of[network_.figure(f)];
+            if (k == AdjustedNetwork::known) continue;
+            const Eigen::MatrixXd moves = supported_on(open_, {k});
+            if (moves.cols() == 0) continue;
+            said_.push_back(tell<"nothing tells %1: add readings that see it, or state it with u">(
+                words_of(network_.figures[f])));
+            open_ = without(open_, moves);
+        }
+    }
+
     std::vector<std::size_t> unknowns_of(std::size_t p) const {
         std::vector<std::size_t> found;
         for (std::size_t c = 0; c < 3; ++c)
@@ -104,21 +162,13 @@ private:
 
     bool is_read(std::size_t p) const {
         return std::ranges::any_of(network_.readings, [&](const AdjustedReading& r) {
-            return r.from == p || r.to == p || r.second == p;
+            return network::is_read(r.kind) && (r.from == p || r.to == p || r.second == p);
         });
     }
 
     double height_share(std::size_t p, const Eigen::VectorXd& move) const {
         const std::size_t k = network_.unknown_of[network_.at(p, 2)];
         return k == AdjustedNetwork::known ? 0.0 : std::abs(move[static_cast<Eigen::Index>(k)]);
-    }
-
-    static double coordinate_share(const std::vector<std::size_t>& own, std::size_t coordinates,
-                                   const Eigen::MatrixXd& moves) {
-        double sum = 0.0;
-        for (std::size_t i = 0; i < coordinates; ++i)
-            sum += moves.row(static_cast<Eigen::Index>(own[i])).squaredNorm();
-        return sum;
     }
 
     Eigen::Vector3d displacement(std::size_t p, const Eigen::VectorXd& move) const {
@@ -138,29 +188,6 @@ private:
                                                   format_short(d.z(), 2));
     }
 
-    /// Points that readings connect.
-    std::vector<std::vector<std::size_t>> parts() const {
-        std::vector<std::size_t> leader(network_.points.size());
-        std::iota(leader.begin(), leader.end(), 0);
-        const auto leader_of = [&](std::size_t i) {
-            while (leader[i] != i) i = leader[i] = leader[leader[i]];
-            return i;
-        };
-        for (const AdjustedReading& r : network_.readings)
-            for (const std::size_t other : {r.to, r.second}) leader[leader_of(other)] = leader_of(r.from);
-        std::vector<std::vector<std::size_t>> found;
-        std::vector<std::ptrdiff_t> number(leader.size(), -1);
-        for (std::size_t p = 0; p < leader.size(); ++p) {
-            std::ptrdiff_t& of = number[leader_of(p)];
-            if (of < 0) {
-                of = static_cast<std::ptrdiff_t>(found.size());
-                found.emplace_back();
-            }
-            found[static_cast<std::size_t>(of)].push_back(p);
-        }
-        return found;
-    }
-
     /// Moves of the part as a whole: along x, y, z, turns about x, y, z, scale; of all its coordinates and
     /// rounds, of those that are fixed too.
     Eigen::MatrixXd whole_moves(const std::vector<std::size_t>& part) const {
@@ -177,6 +204,9 @@ private:
                     moves.row(static_cast<Eigen::Index>(3 * p + c)) = own.row(static_cast<Eigen::Index>(c));
             turn_instruments(p, moves);
         }
+        for (std::size_t f = 0; f < network_.figures.size(); ++f)
+            if (network_.figures[f].kind == FigureKind::scale && network_.figures[f].is_found)
+                moves(static_cast<Eigen::Index>(network_.figure(f)), 6) = -1.0;
         return moves;
     }
 
@@ -303,6 +333,7 @@ private:
             sizes.emplace_back(-size, p);
         }
         std::sort(sizes.begin(), sizes.end());
+        if (sizes.empty() || !(sizes[0].first < 0.0)) return said_.push_back(figures_apart(network_, move));
         std::string names;
         for (std::size_t i = 0; i < std::min<std::size_t>(3, sizes.size()); ++i)
             if (-sizes[i].first > 0.05 * -sizes[0].first)
@@ -319,6 +350,26 @@ private:
 };
 
 }  // namespace
+
+std::optional<Message> too_few_readings(const AdjustedNetwork& network) {
+    if (network.figures.empty()) return {};
+    std::size_t of_datum = 0;
+    if (!network.datum.empty())
+        for (const std::vector<std::size_t>& part : parts_of(network)) {
+            const bool plane =
+                std::ranges::any_of(part, [&](std::size_t p) { return network.points[p].has(0); });
+            const bool heights =
+                std::ranges::any_of(part, [&](std::size_t p) { return network.points[p].has(2); });
+            of_datum += plane && heights ? 7 : plane ? 4 : 1;
+        }
+    const std::size_t unknowns = network.place_of.size() - std::min(network.place_of.size(), of_datum),
+                      readings = network.readings.size();
+    if (readings >= unknowns) return {};
+    return tell<
+        "%1 readings cannot tell %2 unknowns (coordinates less what the datum takes, orientations, "
+        "figures of instruments): add %3 readings at least, or state figures with u">(readings, unknowns,
+                                                                                      unknowns - readings);
+}
 
 std::vector<Message> open_directions(const AdjustedNetwork& network, const adjustment::Adjustment& adjusted) {
     return OpenDirections(network, adjusted).say();

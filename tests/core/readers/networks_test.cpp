@@ -212,6 +212,69 @@ TEST(ReadGama, ALevellingOnObservedHeightsIsAnAdjustment) {
     EXPECT_EQ(result.outputs.size(), 3u);
 }
 
+// A blunder of 1.5 m, a height that nothing tells, sections of a levelling that state their lengths.
+TEST(ReadGama, GrossReadingsAndWhatNothingTellsAreLeftOutAsGamaDoes) {
+    const auto network = [](const std::string& parameters, const std::string& more) {
+        return read_with(
+            "gama", "<gama-local><network axes-xy='en' angles='left-handed'><parameters " + parameters +
+                        "/><points-observations><point id='A' z='10' fix='z'/><point id='B' adj='z'/>"
+                        "<point id='C' adj='z'/>" +
+                        "<height-differences><dh from='A' to='B' val='1.5' dist='4'/>"
+                        "<dh from='B' to='C' val='0.5' dist='1'/><dh from='A' to='C' val='2.003' dist='4'/>" +
+                        more + "</height-differences></points-observations></network></gama-local>");
+    };
+    const auto of_c = [](const Result<Proposals>& read) {
+        for (const OutputResult& output : first_order(*read).outputs)
+            if (output.quantity.group == "C") return std::pair(output.estimate, output.standard_uncertainty);
+        return std::pair(0.0, 0.0);
+    };
+    const auto plain = network("sigma-apr='2'", "");
+    ASSERT_TRUE(plain) << plain.error().message.english();
+    // Ways of 5 km and 4 km with 2 mm for 1 km: the mean by their weights.
+    EXPECT_NEAR(of_c(plain).first, 10.0 + (2.0 / 5.0 + 2.003 / 4.0) / (1.0 / 5.0 + 1.0 / 4.0), 1e-9);
+    EXPECT_NEAR(of_c(plain).second, 2e-3 / std::sqrt(1.0 / 5.0 + 1.0 / 4.0), 1e-9);
+    const auto gross = network("sigma-apr='2' tol-abs='500'", "<dh from='A' to='C' val='3.5' dist='4'/>");
+    ASSERT_TRUE(gross) << gross.error().message.english();
+    EXPECT_EQ(errors_of(*gross), "");
+    EXPECT_NEAR(of_c(gross).first, of_c(plain).first, 1e-9) << "the last one is left out";
+    EXPECT_NE(all_found(*gross).find("by more than 0.5 m"), std::string::npos) << all_found(*gross);
+    const auto kept = network("sigma-apr='2' tol-abs='5000'", "<dh from='A' to='C' val='3.5' dist='4'/>");
+    ASSERT_TRUE(kept) << kept.error().message.english();
+    EXPECT_GT(of_c(kept).first, of_c(plain).first + 0.1);
+    const auto lone = read_with(
+        "gama",
+        "<gama-local><network axes-xy='en' angles='left-handed'><parameters latitude='50' "
+        "sigma-act='apriori'/><points-observations distance-stdev='2' direction-stdev='10'>"
+        "<point id='A' x='0' y='0' z='0' fix='xyz'/><point id='B' x='100' y='0' fix='xy' adj='z'/>"
+        "<point id='C' adj='xy'/><obs from='A'><direction to='B' val='0'/><direction to='C' val='350'/>"
+        "<distance to='C' val='70.71'/></obs><obs from='B'><direction to='C' val='0'/></obs>"
+        "</points-observations></network></gama-local>");
+    ASSERT_TRUE(lone) << lone.error().message.english();
+    EXPECT_EQ(errors_of(*lone), "") << "the height of B is left out, and its lone direction";
+    EXPECT_EQ(first_order(*lone).outputs.size(), 3u) << "x, y of C, the orientation at A";
+    EXPECT_NE(all_found(*lone).find("latitude: readings are not reduced"), std::string::npos)
+        << all_found(*lone);
+}
+
+// P is sighted from A by an azimuth, and reads two directions itself: none places it alone.
+TEST(ReadGama, AResectionWithASightFromOutsidePlacesItsPoint) {
+    const auto read =
+        read_with("gama",
+                  "<gama-local><network axes-xy='en' angles='left-handed'>"
+                  "<points-observations azimuth-stdev='10' direction-stdev='10'>"
+                  "<point id='A' x='0' y='0' fix='xy'/><point id='B' x='100' y='0' fix='xy'/>"
+                  "<point id='C' x='60' y='-30' fix='xy'/><point id='P' adj='xy'/>"
+                  "<obs from='A'><azimuth to='P' val='40.96655'/></obs>"
+                  "<obs from='P'><direction to='B' val='0'/><direction to='C' val='29.51672'/></obs>"
+                  "</points-observations></network></gama-local>");
+    ASSERT_TRUE(read) << read.error().message.english();
+    EXPECT_EQ(errors_of(*read), "");
+    for (const OutputResult& output : first_order(*read).outputs) {
+        if (output.quantity.symbol == "x") EXPECT_NEAR(output.estimate, 60.0, 0.01);
+        if (output.quantity.symbol == "y") EXPECT_NEAR(output.estimate, 80.0, 0.01);
+    }
+}
+
 TEST(ReadGama, AdjustedCoordinatesKeepTheirCovariance) {
     const std::string file =
         "<gama-local-adjustment><coordinates><fixed><point><id>A</id><x>1</x><y>2</y></point></fixed>\n"

@@ -90,10 +90,8 @@ struct Adjusted {
     Problems problems;
     std::optional<AdjustedNetwork> network;
 
-    explicit Adjusted(const StatedAdjustment& stated) : network(adjusted_network(stated, problems)) {
-        if (network) find_start(*network, problems);
-        if (network && !problems.has_errors()) adjust(*network, problems);
-        if (network && !problems.has_errors()) check_adjustment(*network, problems);
+    explicit Adjusted(const StatedAdjustment& stated) : network(adjust_stated(stated, problems)) {
+        if (network) check_adjustment(*network, problems);
     }
     std::string words() const {
         std::string text;
