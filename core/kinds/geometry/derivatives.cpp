@@ -108,7 +108,7 @@ private:
     void add_deviation(Eigen::Ref<Eigen::RowVectorXd> row, std::size_t i, double factor, bool squared) const {
         const auto of = [&](bool by_parameters) {
             const Rows<Dual> rows = rows_at(i, by_parameters);
-            return squared ? Shape<Dual>::square(form_, rows) : Shape<Dual>::deviation(form_, rows);
+            return squared ? square_of<Dual>(form_, rows) : deviation_of<Dual>(form_, rows);
         };
         const Dual by_v = of(true), by_q = of(false);
         for (std::size_t j = 0; j < count_; ++j) row += factor * by_v.partials()[j] * turns_.row(Index(j));
@@ -122,8 +122,8 @@ private:
         double high = 0.0, low = 0.0, squares = 0.0;
         for (std::size_t i = 0; i < q_.size(); ++i) {
             shape.rows(q_[i], rows);
-            const double d = Shape<double>::deviation(form_, rows);
-            squares += Shape<double>::square(form_, rows);
+            const double d = deviation_of<double>(form_, rows);
+            squares += square_of<double>(form_, rows);
             if (i == 0 || d > high) high = d, highest = i;
             if (i == 0 || d < low) low = d, lowest = i;
         }
@@ -141,8 +141,8 @@ private:
         Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(turns_.cols()),
                            by_parameters = Eigen::RowVectorXd::Zero(Index(count_));
         for (std::size_t i = 0; i < q_.size(); ++i) {
-            const Dual by_v = Shape<Dual>::square(form_, rows_at(i, true)),
-                       by_q = Shape<Dual>::square(form_, rows_at(i, false));
+            const Dual by_v = square_of<Dual>(form_, rows_at(i, true)),
+                       by_q = square_of<Dual>(form_, rows_at(i, false));
             for (std::size_t j = 0; j < count_; ++j) by_parameters[Index(j)] += by_v.partials()[j];
             for (Index c = 0; c < 3; ++c) row[Index(3 * i) + c] = by_q.partials()[std::size_t(c)];
         }

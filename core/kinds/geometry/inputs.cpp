@@ -42,7 +42,7 @@ private:
         point.first_input = inputs_.quantities.size();
         for (std::size_t c = 0; c < feature.coordinates(); ++c) {
             InputQuantity quantity{
-                .symbol = along_axes[c] + ("_" + label_of(k, i)),
+                .symbol = std::string(along_axes[c]) + "_" + label_of(k, i),
                 .name = tell<"%1, point %2, coordinate %3">(feature.name, point.name, along_axes[c]),
                 .unit = Unit::of("mm"),
                 .offset = point.p[static_cast<Eigen::Index>(c)],
@@ -51,9 +51,6 @@ private:
             inputs_.quantities.push_back(std::move(quantity));
         }
     }
-
-    // --- typed
-    // ----------------------------------------------------------------------------------------------
 
     std::size_t add_component(std::string id, Message name, double u, bool local) {
         UncertaintyComponent component{.id = std::move(id),
@@ -95,9 +92,6 @@ private:
                 inputs_.correlations.push_back({own[pairs[k][0]], own[pairs[k][1]], *stated.r[k]});
     }
 
-    // --- scatter
-    // --------------------------------------------------------------------------------------------
-
     std::size_t add_scattering(const Feature& feature, const std::string& estimate, std::string id,
                                double s) {
         const auto nu = double(feature.degrees_of_freedom());
@@ -133,9 +127,6 @@ private:
                         inputs_.quantities[point.first_input + k].shares.push_back({component, share});
             }
     }
-
-    // --- an instrument or an analysis
-    // -----------------------------------------------------------------------
 
     void add_source() {
         const auto& instrument = setup_.stated.instrument;

@@ -68,10 +68,10 @@ void set_form(const Feature& feature, const Parameters<Real>& v, const std::vect
     Real high(0.0), low(0.0), squares(0.0);
     for (std::size_t i = 0; i < feature.points.size(); ++i) {
         shape.rows(q[i], rows);
-        const Real d = Shape<Real>::deviation(form, rows);
+        const Real d = deviation_of<Real>(form, rows);
         high = i == 0 ? d : Real(max(high, d));
         low = i == 0 ? d : Real(min(low, d));
-        squares = squares + Shape<Real>::square(form, rows);
+        squares = squares + square_of<Real>(form, rows);
     }
     set(first, form == Form::line ? Real(Real(2.0) * high) : Real(high - low));
     set(first + 1, Real(sqrt(Real(squares / Real(double(feature.points.size()))))));

@@ -39,11 +39,12 @@ Columns<StatedPoint> point_columns() {
              "Name of the point, unique in its feature; empty: its number. Of points that an analysis "
              "measured the name there.",
              {.optional = true})
-        .each(&StatedPoint::p,
-              by_axis(along_axes,
-                      "Measured coordinate *; empty where the point is a feature of an analysis, and z in the "
-                      "xy-plane.",
-                      {.unit = mm, .optional = true}))
+        .each(
+            &StatedPoint::p,
+            by_axis(along_axes,
+                    "Measured coordinate *; empty where the point is a feature of an analysis, and z in the "
+                    "xy-plane.",
+                    {.unit = mm, .optional = true}))
         .each(&StatedPoint::u,
               by_axis({"u_x", "u_y", "u_z"},
                       "Standard uncertainty of coordinate * of this point; empty: as for all points.",

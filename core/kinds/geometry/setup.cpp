@@ -137,8 +137,8 @@ Deviations deviations_of(const FittedForm& fitted, const std::vector<Eigen::Vect
     Deviations deviations;
     for (const Eigen::Vector3d& p : points) {
         shape.rows(fitted.to_local<double>(p), rows);
-        deviations.d.push_back(Shape<double>::deviation(fitted.form, rows));
-        deviations.squares += Shape<double>::square(fitted.form, rows);
+        deviations.d.push_back(deviation_of<double>(fitted.form, rows));
+        deviations.squares += square_of<double>(fitted.form, rows);
         if (fitted.form != Form::circle) continue;
         deviations.heights.push_back(rows.d[0]);
         deviations.squares_of_heights += rows.d[0] * rows.d[0];

@@ -79,7 +79,7 @@ InputSet geometry_inputs(GeometrySetup& setup, Problems& problems);
 
 /// Deviations of the points from a form.
 struct Deviations {
-    std::vector<double> d;        ///< as `Shape::deviation`
+    std::vector<double> d;        ///< as `deviation_of`
     std::vector<double> heights;  ///< of a circle: above its plane
     double squares = 0.0, squares_of_heights = 0.0;
 };

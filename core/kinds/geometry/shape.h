@@ -95,21 +95,6 @@ public:
         }
     }
 
-    /// Square of the deviation that counts as one of form: of a circle the one in its plane.
-    static Real square(Form form, const Rows<Real>& rows) {
-        if (form == Form::circle) return rows.d[1] * rows.d[1];
-        Real sum = rows.d[0] * rows.d[0];
-        for (std::size_t r = 1; r < facts_of(form).rows; ++r) sum = sum + rows.d[r] * rows.d[r];
-        return sum;
-    }
-    /// Positive outside, on the side of the normal; of points and lines in space the distance.
-    static Real deviation(Form form, const Rows<Real>& rows) {
-        using namespace real_functions;
-        if (form == Form::circle) return rows.d[1];
-        if (facts_of(form).rows == 1) return rows.d[0];
-        return sqrt(square(form, rows));
-    }
-
     const Vector3<Real>& direction() const { return n_; }
     /// The point that stands for the form: the centre, or the foot of the points' mean.
     Vector3<Real> place(const Vector3<Real>& mean) const {
@@ -238,5 +223,23 @@ private:
     Vector3<Real> n_, P_;
     Real over_N_, c_, s_;  ///< 1/|(a, b, 1)|, cosine and sine of half a cone's angle
 };
+
+/// Square of the deviation that counts as one of form: of a circle the one in its plane.
+template <class Real>
+Real square_of(Form form, const Rows<Real>& rows) {
+    if (form == Form::circle) return rows.d[1] * rows.d[1];
+    Real sum = rows.d[0] * rows.d[0];
+    for (std::size_t r = 1; r < facts_of(form).rows; ++r) sum = sum + rows.d[r] * rows.d[r];
+    return sum;
+}
+
+/// Positive outside, on the side of the normal; of points and lines in space the distance.
+template <class Real>
+Real deviation_of(Form form, const Rows<Real>& rows) {
+    using namespace real_functions;
+    if (form == Form::circle) return rows.d[1];
+    if (facts_of(form).rows == 1) return rows.d[0];
+    return sqrt(square_of(form, rows));
+}
 
 }  // namespace covaria::geometry

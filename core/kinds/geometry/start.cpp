@@ -51,6 +51,186 @@ struct InSpace {
     double radius = 0.0, half_angle = 0.0;
 };
 
+/// Across the direction of `form`: |q - c|^2 = r^2, linear in c and r^2 - c^2.
+bool algebraic_circle(const Points& q, InSpace& form) {
+    const Matrix3d R = frame_along(form.n, Vector3d::Zero());
+    MatrixXd A(Index(q.size()), 3);
+    Eigen::VectorXd b(Index(q.size()));
+    for (std::size_t i = 0; i < q.size(); ++i) {
+        const Vector3d t = R.transpose() * q[i];
+        A.row(Index(i)) << 2.0 * t.x(), 2.0 * t.y(), 1.0;
+        b[Index(i)] = t.head<2>().squaredNorm();
+    }
+    const Vector3d s = A.colPivHouseholderQr().solve(b);
+    form.place = R * Vector3d(s[0], s[1], 0.0);
+    form.radius = std::sqrt(std::max(0.0, s[2] + s.head<2>().squaredNorm()));
+    return s.allFinite() && form.radius > 0.0;
+}
+
+bool algebraic_sphere(const Points& q, InSpace& form) {
+    MatrixXd A(Index(q.size()), 4);
+    Eigen::VectorXd b(Index(q.size()));
+    for (std::size_t i = 0; i < q.size(); ++i) {
+        A.row(Index(i)) << 2.0 * q[i].transpose(), 1.0;
+        b[Index(i)] = q[i].squaredNorm();
+    }
+    const Eigen::VectorXd s = A.colPivHouseholderQr().solve(b);
+    form.place = s.head<3>();
+    form.radius = std::sqrt(std::max(0.0, s[3] + form.place.squaredNorm()));
+    return s.allFinite() && form.radius > 0.0;
+}
+
+/// Across the direction: |q - c|^2 = (r + k z)^2, linear in c, k^2, 2 r k and r^2 - c^2.
+bool algebraic_cone(const Points& q, InSpace& form) {
+    const Matrix3d R = frame_along(form.n, Vector3d::Zero());
+    MatrixXd A(Index(q.size()), 5);
+    Eigen::VectorXd b(Index(q.size()));
+    for (std::size_t i = 0; i < q.size(); ++i) {
+        const Vector3d t = R.transpose() * q[i];
+        A.row(Index(i)) << 2.0 * t.x(), 2.0 * t.y(), t.z() * t.z(), t.z(), 1.0;
+        b[Index(i)] = t.head<2>().squaredNorm();
+    }
+    const Eigen::VectorXd s = A.colPivHouseholderQr().solve(b);
+    if (!s.allFinite()) return false;
+    const double r2 = s[4] + s[0] * s[0] + s[1] * s[1];
+    form.radius = std::sqrt(std::max(1e-6, r2));
+    const double k = std::clamp(s[3] / (2.0 * form.radius), -20.0, 20.0);
+    if (k < 0.0) form.n = -form.n;
+    form.half_angle = std::atan(std::max(1e-3, std::abs(k)));
+    form.place = R * Vector3d(s[0], s[1], 0.0);
+    return true;
+}
+
+/// A spiral over the half sphere, and the principal axes.
+std::vector<Vector3d> directions(const Matrix3d& principal) {
+    std::vector<Vector3d> all{principal.col(0), principal.col(1), principal.col(2)};
+    for (int k = 0; k < tried_directions; ++k) {
+        const double z = (k + 0.5) / tried_directions, turn = k * std::numbers::pi * (3.0 - std::sqrt(5.0));
+        const double rho = std::sqrt(1.0 - z * z);
+        all.push_back(principal * Vector3d(rho * std::cos(turn), rho * std::sin(turn), z));
+    }
+    return all;
+}
+
+/// In axes that lie in the form; `place` may be anywhere on an axis.
+FittedForm local_form(Form which, const InSpace& form) {
+    FittedForm local;
+    local.form = which;
+    local.size = 1.0 + form.radius;
+    const Vector3d foot = form.place - form.n * form.n.dot(form.place);  // next to the mean of the points
+    const double apart = foot.norm();
+    switch (which) {
+        case Form::line_2d: {
+            const Vector3d n = Vector3d(form.n.x(), form.n.y(), 0.0).normalized();
+            local.axes << n.x(), -n.y(), 0.0, n.y(), n.x(), 0.0, 0.0, 0.0, 1.0;
+            break;
+        }
+        case Form::line:
+        case Form::plane:
+            local.axes = frame_along(form.n, Vector3d::Zero());
+            break;
+        case Form::circle_2d:
+        case Form::circle:
+        case Form::cylinder:
+        case Form::cone: {
+            local.axes = frame_along(form.n, -foot);
+            const std::size_t h = which == Form::circle ? 3 : 0;
+            const std::size_t r = which == Form::circle ? 5 : which == Form::circle_2d ? 2 : 4;
+            // of a cone at the mean of the points
+            const double radius = form.radius - form.n.dot(form.place) * std::tan(form.half_angle);
+            local.v[h] = radius - apart;
+            local.v[r] = radius;
+            if (which == Form::cone) local.v[5] = form.half_angle;
+            break;
+        }
+        case Form::sphere: {
+            const double away = form.place.norm();
+            const Vector3d z = away > 1e-6 ? Vector3d(-form.place / away) : Vector3d(Vector3d::UnitZ());
+            local.axes = frame_along(z, Vector3d::Zero());
+            const Vector3d centre = local.axes.transpose() * form.place;
+            local.v = {centre.x(), centre.y(), centre.z() + form.radius, form.radius};
+            break;
+        }
+        case Form::point:
+            break;
+    }
+    return local;
+}
+
+InSpace in_space(const FittedForm& local) {
+    const Form which = local.form;
+    const Shape<double> shape(which, local.v);
+    InSpace form;
+    const Vector3d zero = Vector3d::Zero();
+    form.n = local.turned<double>(shape.direction());
+    form.place = local.turned<double>(shape.place(zero));
+    form.radius = shape.radius(zero);
+    if (which == Form::cone) form.half_angle = local.v[5];
+    return form;
+}
+
+double cost_of(const FittedForm& local, const Points& q) {
+    const Shape<double> shape(local.form, local.v);
+    Rows<double> rows;
+    double sum = 0.0;
+    for (const Vector3d& p : q) {
+        shape.rows(local.axes.transpose() * p, rows);
+        sum += square_of<double>(local.form, rows);
+    }
+    return sum;
+}
+
+/// A step that makes the cost smaller; false: there is none worth it.
+bool improve(FittedForm& local, const Points& q, double& damping, double& cost) {
+    const Form which = local.form;
+    Normal<double> normal(which);
+    const Shape<double> shape(which, local.v);
+    Rows<double> rows;
+    for (const Vector3d& p : q) {
+        shape.rows(local.axes.transpose() * p, rows);
+        normal.add(rows);
+    }
+    for (; damping < 1e12; damping *= 10.0) {
+        Normal<double> damped = normal;
+        damped.damp(damping);
+        const Parameters<double> step = damped.step();
+        FittedForm moved = local;
+        for (std::size_t i = 0; i < facts_of(which).parameters; ++i) moved.v[i] += step[i];
+        const double found = cost_of(moved, q);
+        if (!(found < cost)) continue;
+        const bool worth = found < (1.0 - 1e-12) * cost;
+        local.v = moved.v;
+        cost = found;
+        damping = std::max(1e-12, damping / 10.0);
+        return worth;
+    }
+    return false;
+}
+
+/// Levenberg-Marquardt; the axes follow the form between rounds, so that slopes stay small.
+bool refine(Form which, InSpace& form, const Points& q) {
+    constexpr int rounds = 6, steps = 40;
+    double cost = std::numeric_limits<double>::infinity();
+    for (int round = 0; round < rounds; ++round) {
+        FittedForm local = local_form(which, form);
+        const double before = cost;
+        cost = cost_of(local, q);
+        double damping = 1e-3;
+        for (int k = 0; k < steps && damping < 1e12; ++k)
+            if (!improve(local, q, damping, cost)) break;
+        if (!std::isfinite(cost)) return false;
+        const InSpace found = in_space(local);
+        if (!found.place.allFinite() || !found.n.allFinite()) return false;
+        form = found;
+        if (which == Form::cone && form.half_angle < 0.0) {
+            form.half_angle = -form.half_angle;
+            form.n = -form.n;
+        }
+        if (round > 1 && cost > 0.999 * before) break;
+    }
+    return true;
+}
+
 class Search {
 public:
     Search(Form form, const Points& points) : form_(form), origin_(mean_of_points(points)) {
@@ -76,7 +256,7 @@ public:
         if (const Message objection = objection_to_points(); !objection.empty())
             return fail(ErrorCode::bad_input, objection);
         if (!closed() && !refined()) return refused();
-        FittedForm fitted = in_metres(local_form(best_));
+        FittedForm fitted = in_metres(local_form(form_, best_));
         if (!settle(fitted)) return refused();
         if (const double r = radius_of(fitted); facts_of(form_).has_diameter) {
             if (!(std::abs(r) < largest_radius * extent_))
@@ -134,93 +314,23 @@ private:
                 return refine_circle(projected);
             }
             case Form::sphere:
-                return algebraic_sphere() && refine(best_, q_);
+                return algebraic_sphere(q_, best_) && refine(form_, best_, q_);
             default:
                 return search_directions();
         }
     }
 
-    // --- algebraic starts ----------------------------------------------------------------------------------
-
     bool refine_circle(const Points& q) {
         if (!algebraic_circle(q, best_)) return false;
-        const Form whole = form_;
         InSpace found = best_;
-        form_ = Form::circle_2d;
         const Matrix3d R = frame_along(best_.n, Vector3d::Zero());
         Points turned;
         for (const Vector3d& p : q) turned.push_back(R.transpose() * p);
         InSpace flat{R.transpose() * found.place, Vector3d::UnitZ(), found.radius, 0.0};
-        const bool is_found = refine(flat, turned);
-        form_ = whole;
+        const bool is_found = refine(Form::circle_2d, flat, turned);
         best_.place = R * flat.place;
         best_.radius = flat.radius;
         return is_found;
-    }
-
-    /// Across the direction of `form`: |q - c|^2 = r^2, linear in c and r^2 - c^2.
-    static bool algebraic_circle(const Points& q, InSpace& form) {
-        const Matrix3d R = frame_along(form.n, Vector3d::Zero());
-        MatrixXd A(Index(q.size()), 3);
-        Eigen::VectorXd b(Index(q.size()));
-        for (std::size_t i = 0; i < q.size(); ++i) {
-            const Vector3d t = R.transpose() * q[i];
-            A.row(Index(i)) << 2.0 * t.x(), 2.0 * t.y(), 1.0;
-            b[Index(i)] = t.head<2>().squaredNorm();
-        }
-        const Vector3d s = A.colPivHouseholderQr().solve(b);
-        form.place = R * Vector3d(s[0], s[1], 0.0);
-        form.radius = std::sqrt(std::max(0.0, s[2] + s.head<2>().squaredNorm()));
-        return s.allFinite() && form.radius > 0.0;
-    }
-
-    bool algebraic_sphere() {
-        MatrixXd A(Index(q_.size()), 4);
-        Eigen::VectorXd b(Index(q_.size()));
-        for (std::size_t i = 0; i < q_.size(); ++i) {
-            A.row(Index(i)) << 2.0 * q_[i].transpose(), 1.0;
-            b[Index(i)] = q_[i].squaredNorm();
-        }
-        const Eigen::VectorXd s = A.colPivHouseholderQr().solve(b);
-        best_.place = s.head<3>();
-        best_.radius = std::sqrt(std::max(0.0, s[3] + best_.place.squaredNorm()));
-        return s.allFinite() && best_.radius > 0.0;
-    }
-
-    /// Across the direction: |q - c|^2 = (r + k z)^2, linear in c, k^2, 2 r k and r^2 - c^2.
-    static bool algebraic_cone(const Points& q, InSpace& form) {
-        const Matrix3d R = frame_along(form.n, Vector3d::Zero());
-        MatrixXd A(Index(q.size()), 5);
-        Eigen::VectorXd b(Index(q.size()));
-        for (std::size_t i = 0; i < q.size(); ++i) {
-            const Vector3d t = R.transpose() * q[i];
-            A.row(Index(i)) << 2.0 * t.x(), 2.0 * t.y(), t.z() * t.z(), t.z(), 1.0;
-            b[Index(i)] = t.head<2>().squaredNorm();
-        }
-        const Eigen::VectorXd s = A.colPivHouseholderQr().solve(b);
-        if (!s.allFinite()) return false;
-        const double r2 = s[4] + s[0] * s[0] + s[1] * s[1];
-        form.radius = std::sqrt(std::max(1e-6, r2));
-        const double k = std::clamp(s[3] / (2.0 * form.radius), -20.0, 20.0);
-        if (k < 0.0) form.n = -form.n;
-        form.half_angle = std::atan(std::max(1e-3, std::abs(k)));
-        form.place = R * Vector3d(s[0], s[1], 0.0);
-        return true;
-    }
-
-    // --- directions
-    // -----------------------------------------------------------------------------------------
-
-    /// A spiral over the half sphere, and the principal axes.
-    std::vector<Vector3d> directions() const {
-        std::vector<Vector3d> all{principal_.col(0), principal_.col(1), principal_.col(2)};
-        for (int k = 0; k < tried_directions; ++k) {
-            const double z = (k + 0.5) / tried_directions,
-                         turn = k * std::numbers::pi * (3.0 - std::sqrt(5.0));
-            const double rho = std::sqrt(1.0 - z * z);
-            all.push_back(principal_ * Vector3d(rho * std::cos(turn), rho * std::sin(turn), z));
-        }
-        return all;
     }
 
     bool search_directions() {
@@ -228,11 +338,11 @@ private:
         const std::size_t every = std::max<std::size_t>(1, q_.size() / most_sampled);
         for (std::size_t i = 0; i < q_.size(); i += every) sample.push_back(q_[i]);
         std::vector<std::pair<double, InSpace>> starts;
-        for (const Vector3d& n : directions()) {
+        for (const Vector3d& n : directions(principal_)) {
             InSpace start{.n = n};
             if (!(form_ == Form::cone ? algebraic_cone(sample, start) : algebraic_circle(sample, start)))
                 continue;
-            const double cost = cost_of(local_form(start), sample);
+            const double cost = cost_of(local_form(form_, start), sample);
             if (std::isfinite(cost)) starts.emplace_back(cost, start);
         }
         std::stable_sort(starts.begin(), starts.end(),
@@ -240,137 +350,14 @@ private:
         double least = std::numeric_limits<double>::infinity();
         for (std::size_t i = 0; i < std::min(refined_starts, starts.size()); ++i) {
             InSpace found = starts[i].second;
-            if (!refine(found, sample)) continue;
-            const double cost = cost_of(local_form(found), sample);
+            if (!refine(form_, found, sample)) continue;
+            const double cost = cost_of(local_form(form_, found), sample);
             if (!(cost < least)) continue;
             least = cost;
             best_ = found;
         }
-        return std::isfinite(least) && refine(best_, q_);
+        return std::isfinite(least) && refine(form_, best_, q_);
     }
-
-    // --- damped steps
-    // ---------------------------------------------------------------------------------------
-
-    /// In axes that lie in the form; `place` may be anywhere on an axis.
-    FittedForm local_form(const InSpace& form) const {
-        FittedForm local;
-        local.form = form_;
-        local.size = 1.0 + form.radius;
-        const Vector3d foot = form.place - form.n * form.n.dot(form.place);  // next to the mean of the points
-        const double apart = foot.norm();
-        switch (form_) {
-            case Form::line_2d: {
-                const Vector3d n = Vector3d(form.n.x(), form.n.y(), 0.0).normalized();
-                local.axes << n.x(), -n.y(), 0.0, n.y(), n.x(), 0.0, 0.0, 0.0, 1.0;
-                break;
-            }
-            case Form::line:
-            case Form::plane:
-                local.axes = frame_along(form.n, Vector3d::Zero());
-                break;
-            case Form::circle_2d:
-            case Form::circle:
-            case Form::cylinder:
-            case Form::cone: {
-                local.axes = frame_along(form.n, -foot);
-                const std::size_t h = form_ == Form::circle ? 3 : 0;
-                const std::size_t r = form_ == Form::circle ? 5 : form_ == Form::circle_2d ? 2 : 4;
-                // of a cone at the mean of the points
-                const double radius = form.radius - form.n.dot(form.place) * std::tan(form.half_angle);
-                local.v[h] = radius - apart;
-                local.v[r] = radius;
-                if (form_ == Form::cone) local.v[5] = form.half_angle;
-                break;
-            }
-            case Form::sphere: {
-                const double away = form.place.norm();
-                const Vector3d z = away > 1e-6 ? Vector3d(-form.place / away) : Vector3d(Vector3d::UnitZ());
-                local.axes = frame_along(z, Vector3d::Zero());
-                const Vector3d centre = local.axes.transpose() * form.place;
-                local.v = {centre.x(), centre.y(), centre.z() + form.radius, form.radius};
-                break;
-            }
-            case Form::point:
-                break;
-        }
-        return local;
-    }
-
-    InSpace in_space(const FittedForm& local) const {
-        const Shape<double> shape(form_, local.v);
-        InSpace form;
-        const Vector3d zero = Vector3d::Zero();
-        form.n = local.turned<double>(shape.direction());
-        form.place = local.turned<double>(shape.place(zero));
-        form.radius = shape.radius(zero);
-        if (form_ == Form::cone) form.half_angle = local.v[5];
-        return form;
-    }
-
-    static double cost_of(const FittedForm& local, const Points& q) {
-        const Shape<double> shape(local.form, local.v);
-        Rows<double> rows;
-        double sum = 0.0;
-        for (const Vector3d& p : q) {
-            shape.rows(local.axes.transpose() * p, rows);
-            sum += Shape<double>::square(local.form, rows);
-        }
-        return sum;
-    }
-
-    /// Levenberg-Marquardt; the axes follow the form between rounds, so that slopes stay small.
-    bool refine(InSpace& form, const Points& q) const {
-        constexpr int rounds = 6, steps = 40;
-        double cost = std::numeric_limits<double>::infinity();
-        for (int round = 0; round < rounds; ++round) {
-            FittedForm local = local_form(form);
-            const double before = cost;
-            cost = cost_of(local, q);
-            double damping = 1e-3;
-            for (int k = 0; k < steps && damping < 1e12; ++k)
-                if (!improve(local, q, damping, cost)) break;
-            if (!std::isfinite(cost)) return false;
-            const InSpace found = in_space(local);
-            if (!found.place.allFinite() || !found.n.allFinite()) return false;
-            form = found;
-            if (form_ == Form::cone && form.half_angle < 0.0) {
-                form.half_angle = -form.half_angle;
-                form.n = -form.n;
-            }
-            if (round > 1 && cost > 0.999 * before) break;
-        }
-        return true;
-    }
-
-    /// A step that makes the cost smaller; false: there is none worth it.
-    bool improve(FittedForm& local, const Points& q, double& damping, double& cost) const {
-        Normal<double> normal(form_);
-        const Shape<double> shape(form_, local.v);
-        Rows<double> rows;
-        for (const Vector3d& p : q) {
-            shape.rows(local.axes.transpose() * p, rows);
-            normal.add(rows);
-        }
-        for (; damping < 1e12; damping *= 10.0) {
-            Normal<double> damped = normal;
-            damped.damp(damping);
-            const Parameters<double> step = damped.step();
-            FittedForm moved = local;
-            for (std::size_t i = 0; i < facts_of(form_).parameters; ++i) moved.v[i] += step[i];
-            const double found = cost_of(moved, q);
-            if (!(found < cost)) continue;
-            const bool worth = found < (1.0 - 1e-12) * cost;
-            local.v = moved.v;
-            cost = found;
-            damping = std::max(1e-12, damping / 10.0);
-            return worth;
-        }
-        return false;
-    }
-
-    // --- the end
-    // --------------------------------------------------------------------------------------------
 
     FittedForm in_metres(FittedForm local) const {
         local.origin = origin_;

@@ -79,9 +79,6 @@ TEST(GeometryFromPoints, NistCylinder) {
     EXPECT_NEAR(column(*model, "condition", "diameter").at(0), 0.3088007, 1e-7);
 }
 
-// --- generated points
-// -----------------------------------------------------------------------------------------
-
 /// A part somewhere in space: axes by columns, and its origin.
 struct Frame {
     Eigen::Matrix3d R;
@@ -292,9 +289,6 @@ const OutputResult& output(const UncertaintyResult& result, const std::string& g
         if (y.quantity.group == group && y.quantity.symbol == symbol) return y;
     throw std::runtime_error("no output " + group + "." + symbol);
 }
-
-// --- uncertainty of the points
-// --------------------------------------------------------------------------------
 
 TEST(GeometryFromPoints, ACapOf45DegreesCorrelatesDiameterAndHeight) {
     const Frame f{Eigen::Matrix3d::Identity(), {10.0, 20.0, 30.0}};
