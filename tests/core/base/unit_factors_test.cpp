@@ -29,6 +29,7 @@ const Definition definitions[] = {{"km", 1e3, "m"},
                                   {"uin", 2.54e-8, "m"},
                                   {"au", 149597870700.0, "m"},
                                   {"ha", 1e4, "m^2"},
+                                  {"degR", 5.0 / 9.0, "K"},
                                   {"L", 1e-3, "m^3"},
                                   {"l", 1e-3, "m^3"},
                                   {"mL", 1e-6, "m^3"},
@@ -112,7 +113,7 @@ TEST(UnitFactors, AgreeWithTheDefinitions) {
 
 // No unit of the table is without a definition above or a prefix of one.
 TEST(UnitFactors, EveryUnitIsDefined) {
-    std::set<std::string> defined{"1", "m", "rad", "K", "degC", "s", "kg", "A", "mol", "cd"};
+    std::set<std::string> defined{"1", "m", "rad", "K", "degC", "degF", "s", "kg", "A", "mol", "cd"};
     for (const Definition& d : definitions) defined.insert(d.unit);
     for (const detail::UnitEntry& unit : detail::unit_table()) {
         const bool known = defined.contains(std::string(unit.name)) ||
