@@ -43,7 +43,7 @@ void say_exchanged(const AdjustedNetwork& network, std::size_t station, const Si
 }  // namespace
 
 std::vector<Message> exchanged_names(const AdjustedNetwork& adjusted) {
-    constexpr std::size_t most_readings = 3000, most_wrong = 100;
+    constexpr std::size_t most_readings = 1000, most_wrong = 100;
     if (adjusted.readings.size() > most_readings) return {};
     AdjustedNetwork network = adjusted;
     start_robustly(network);

@@ -77,6 +77,22 @@ std::vector<double> moved_by(const AdjustedNetwork& network) {
     return moved;
 }
 
+/// Where least squares do not lead to a place of every point, they begin robustly once more.
+void adjust_from_start(AdjustedNetwork& network, bool robust, Problems& problems) {
+    const Eigen::VectorXd start = network.state;
+    if (robust) start_robustly(network);
+    Problems own;
+    adjust(network, own);
+    if (own.has_errors() && !robust) {
+        network.state = start;
+        start_robustly(network);
+        Problems again;
+        adjust(network, again);
+        if (!again.has_errors()) own = std::move(again);
+    }
+    problems.take(own, "");
+}
+
 bool is_gross(const AdjustedNetwork& network, const std::optional<double>& limit) {
     return limit && std::ranges::any_of(network.readings, [&](const AdjustedReading& r) {
                return r.row != AdjustedReading::no_round && std::abs(offset_of(network, r)) > *limit;
@@ -129,8 +145,7 @@ private:
         }
         const bool may_repeat = stated_.gross_limit || stated_.robust;
         AdjustedNetwork begun = may_repeat ? *made : AdjustedNetwork();
-        if (stated_.robust) start_robustly(*made);
-        adjust(*made, own);
+        adjust_from_start(*made, stated_.robust, own);
         if (own.has_errors()) {
             again_ = take_back() || leave_gross(begun) || leave_undetermined(*made);
             return {};

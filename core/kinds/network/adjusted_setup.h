@@ -242,6 +242,8 @@ void start_robustly(AdjustedNetwork& network);
 /// Checked, begun, adjusted. What the set-up lets go is left out, with its reason: readings that were left
 /// out by hand, that miss the beginning by too much, that contradict the others; points that nothing tells.
 std::optional<AdjustedNetwork> adjust_stated(StatedAdjustment stated, Problems& problems);
+/// Sentences for the names of targets that one station seems to have exchanged.
+std::vector<Message> exchanged_names(const AdjustedNetwork& adjusted);
 /// Readings whose errors the test cannot tell from one of this reading, by name; empty: none.
 Message alike_words(const AdjustedNetwork& network, std::size_t reading);
 /// How far the reading is from the state, in m: an angle at its target.

@@ -145,6 +145,8 @@ void check_adjustment(const AdjustedNetwork& network, Problems& problems) {
     std::size_t worst = 0;
     for (std::size_t i = 0; i < found.readings.size(); ++i)
         if (std::abs(found.readings[i].w) > std::abs(found.readings[worst].w)) worst = i;
+    for (Message& words : exchanged_names(network))
+        problems.warning(adjustment_fields().place(&StatedAdjustment::readings), std::move(words));
     problems.add(
         {.severity = Severity::warning,
          .path = network.readings[worst].source,

@@ -10,6 +10,7 @@
 #include "core/base/resource_path.h"
 #include "core/evidence/seen.h"
 #include "tests/core/made.h"
+#include "tests/core/table_rows.h"
 
 namespace covaria::campaigns_test {
 namespace {
@@ -122,9 +123,9 @@ TEST(TrackerData, ADisplacedPoseIsFoundAndAnInseparablePairIsNamed) {
         said = said || problem.message.english().starts_with("pose P17: the residual of its x");
     EXPECT_TRUE(said);
     bool named = false;
-    for (const DataTable& table : prepared->model->evaluation())
-        for (const auto& row : table.rows)
-            for (const TableCell& cell : row)
+    for (const Table& table : prepared->model->evaluation())
+        for (const auto& row : test::rows_of(table))
+            for (const Cell& cell : row)
                 if (const auto* words = std::get_if<Message>(&cell))
                     named = named || words->english().starts_with("moves the measured points as ");
     EXPECT_TRUE(named);

@@ -197,6 +197,14 @@ std::vector<Broken> mistyped() {
         {"a distance mistyped by a centimetre",
          with([](S& s) { *reading_of(s, level_distance, "C", "D").length += 0.02; }),
          {"larger than the uncertainties allow", "the horizontal distance C – D."}},
+        {"exchanged names at one station",
+         [] {
+             S s = hall(fixed, 0.0).stated;
+             for (S::Reading& r : s.readings)
+                 if (r.from == "S" && (r.to == "A" || r.to == "C")) r.to = r.to == "A" ? "C" : "A";
+             return s;
+         },
+         {"the readings from S agree if the names A and C are exchanged there"}},
         {"a direction to the wrong target",
          with([](S& s) { reading_of(s, direction, "A", "C").to = "D"; }),
          {"larger than the uncertainties allow"}},
