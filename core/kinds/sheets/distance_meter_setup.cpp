@@ -11,6 +11,7 @@ namespace covaria::sheets {
 namespace {
 
 const Unit baseline_m = Unit::of("m"), baseline_mm = Unit::of("mm"), baseline_ppm = Unit::of("ppm");
+constexpr std::size_t most_pillars = 100, most_distances = 20'000;
 
 Columns<BaselineReading> reading_columns() {
     return Columns<BaselineReading>()
@@ -114,15 +115,14 @@ private:
     }
 
     std::optional<std::size_t> most_connected() const {
-        std::optional<std::size_t> most;
-        std::size_t readings = 0;
-        for (std::size_t k = 0; k < placed_.size(); ++k) {
-            const std::size_t seen = placed_[k] ? 0 : seen_from(k).size();
-            if (seen <= readings) continue;
-            readings = seen;
-            most = k;
+        std::vector<std::size_t> seen(placed_.size(), 0);
+        for (const auto& [a, b] : setup_.places) {
+            seen[a] += !placed_[a] && placed_[b] ? 1u : 0u;
+            seen[b] += !placed_[b] && placed_[a] ? 1u : 0u;
         }
-        return most;
+        const auto most = std::ranges::max_element(seen);
+        if (*most == 0) return std::nullopt;
+        return std::size_t(most - seen.begin());
     }
 
     double place_of(std::size_t pillar) const {
@@ -168,13 +168,20 @@ void check_readings(DistanceMeterSetup& setup, Problems& problems) {
         if (from == to)
             problems.error(fields.place(&DistanceMeterSetup::readings, row, &BaselineReading::to),
                            tell<"a distance from pillar '%1' to itself">(r.from));
+        if (!std::isfinite(r.distance * r.distance))
+            problems.error(fields.place(&DistanceMeterSetup::readings, row, &BaselineReading::distance),
+                           tell<"the distance in row %1 is too long">(row + 1));
         if (!(std::abs(r.height_difference) < r.distance))
             problems.error(
                 fields.place(&DistanceMeterSetup::readings, row, &BaselineReading::height_difference),
                 tell<"the height difference in row %1 is not shorter than the slope distance">(row + 1));
     }
     const std::string table = fields.place(&DistanceMeterSetup::readings);
-    if (setup.pillars.size() < 3)
+    if (setup.pillars.size() > most_pillars || setup.readings.size() > most_distances)
+        problems.error(table, tell<"%1 distances between %2 pillars are more than a baseline has: at most %3 "
+                                   "between %4">(setup.readings.size(), setup.pillars.size(), most_distances,
+                                                 most_pillars));
+    else if (setup.pillars.size() < 3)
         problems.error(table, tell<"a zero offset needs distances between three pillars or more">());
     else if (!(setup.degrees_of_freedom() > 0.0))
         problems.error(

@@ -15,6 +15,7 @@ namespace {
 
 constexpr std::size_t cells_of_a_law = 100;
 constexpr std::uint64_t seed_of_campaigns = 9283;
+constexpr int most_simulated_cycles = 300;
 
 /// Cells of equal probability between rising edges; those of no width are given one.
 Distribution between(std::vector<double> edges) {
@@ -83,11 +84,15 @@ RepeatabilityLaw repeatability_law(const Eigen::Vector3d& deviations, int cycles
     if (!(size > 0.0)) return law;
     const Eigen::Vector3d shape = deviations / size;
     law.of_infinite = size * repeatability_of_scatter(shape);
-    Campaigns simulated(shape, cycles);
+    const int drawn = std::min(cycles, most_simulated_cycles);
+    const double fewer = double(drawn) / double(cycles);
+    Campaigns simulated(shape, drawn);
     std::vector<double> ratios;
     for (int k = 0; k < campaigns; ++k) ratios.push_back(simulated.next() * size / law.of_infinite);
     const Eigen::Map<const Eigen::ArrayXd> all(ratios.data(), Eigen::Index(ratios.size()));
-    law.bias = all.mean();
+    const double mean = all.mean();
+    law.bias = 1.0 + (mean - 1.0) * fewer;
+    for (double& ratio : ratios) ratio = law.bias + (ratio - mean) * std::sqrt(fewer);
     law.relative_u = std::sqrt((all - law.bias).square().sum() / double(campaigns - 1)) / law.bias;
     std::ranges::sort(ratios, std::greater<>());
     for (std::size_t k = 0; k <= cells_of_a_law; ++k) {

@@ -7,12 +7,19 @@ namespace covaria::sheets {
 
 namespace {
 
-SeriesFigures figures_of_series(const RobotPosesSetup& setup, const PoseSeries& series) {
+/// Of a law; fewer where there are so many cycles that their draws would keep a reader of the form waiting.
+int campaigns_of(const RobotPosesSetup& setup) {
+    double cycles = 1.0;
+    for (const PoseSeries& series : setup.series) cycles += std::min(300.0, double(series.cycles()));
+    return int(std::clamp(1e7 / cycles, 500.0, 4000.0));
+}
+
+SeriesFigures figures_of_series(const RobotPosesSetup& setup, const PoseSeries& series, int campaigns) {
     SeriesFigures f;
     f.barycentre = series.points.colwise().mean().transpose();
     f.covariance = covariance_of(series.points);
     f.rp = repeatability(series.points);
-    f.law = repeatability_law(principal_deviations(series.points), series.cycles());
+    f.law = repeatability_law(principal_deviations(series.points), series.cycles(), campaigns);
     const auto commanded = std::ranges::find(setup.commanded, series.pose, &CommandedPose::pose);
     f.pose = std::size_t(commanded - setup.commanded.begin());
     if (series.angles.rows() == 0) return f;
@@ -75,7 +82,9 @@ double SeriesFigures::floor_of_ap(const PoseSeries& series) const {
 
 RobotPosesFigures figures_of(const RobotPosesSetup& setup) {
     RobotPosesFigures all;
-    for (const PoseSeries& series : setup.series) all.series.push_back(figures_of_series(setup, series));
+    const int campaigns = campaigns_of(setup);
+    for (const PoseSeries& series : setup.series)
+        all.series.push_back(figures_of_series(setup, series, campaigns));
     for (const PosePair& pair : setup.pairs) all.distances.push_back(figures_of_pair(setup, pair));
     all.instrument = figures_of_instrument(setup);
     all.directions = together(setup.series, [](const PoseSeries& a, const PoseSeries& b) {

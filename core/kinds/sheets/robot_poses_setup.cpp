@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
 
 #include "core/text/numbers.h"
 
@@ -113,7 +114,13 @@ public:
     void collect() {
         for (std::size_t row = 0; row < setup_.attained.size(); ++row) take(row);
         if (problems_.has_errors()) return;
-        for (std::size_t k = 0; k < setup_.series.size(); ++k) fill(k);
+        std::set<std::string> labels;
+        for (std::size_t k = 0; k < setup_.series.size(); ++k) {
+            fill(k);
+            if (!labels.insert(label_of(setup_.series[k])).second)
+                problems_.error(robot_poses_fields().place(&StatedPoses::attained, rows_[k].front()),
+                                tell<"two series are called '%1'">(label_of(setup_.series[k])));
+        }
     }
 
 private:
@@ -153,7 +160,12 @@ private:
         for (std::size_t i = 0; i < rows.size(); ++i) {
             const AttainedPose& a = setup_.attained[rows[i]];
             series.points.row(Eigen::Index(i)) = a.p.transpose();
-            for (std::size_t axis = 0; axis < 3 && turns; ++axis) {
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                if (!turns && a.angles[axis])
+                    return problems_.error(
+                        robot_poses_fields().place(&StatedPoses::attained, rows[i]),
+                        tell<"row %1 has angles, though its pose is commanded without them">(rows[i] + 1));
+                if (!turns) continue;
                 if (!a.angles[axis])
                     return problems_.error(
                         robot_poses_fields().place(&StatedPoses::attained, rows[i]),
@@ -162,6 +174,14 @@ private:
                     std::remainder(*a.angles[axis] - *nominal[axis], 2.0 * std::numbers::pi);
             }
         }
+        check_size(series, place);
+    }
+
+    /// Squares of the deviations must be numbers.
+    void check_size(const PoseSeries& series, const std::string& place) const {
+        const Eigen::RowVector3d mean = series.points.colwise().mean();
+        if (!std::isfinite((series.points.rowwise() - mean).squaredNorm() + series.commanded.squaredNorm()))
+            problems_.error(place, tell<"the coordinates at %1 are too large">(label_of(series)));
     }
 
     StatedPoses& setup_;
@@ -176,7 +196,11 @@ void check_commanded(const StatedPoses& setup, Problems& problems) {
         if (std::ranges::count(setup.commanded, c.pose, &CommandedPose::pose) > 1)
             problems.error(robot_poses_fields().place(&StatedPoses::commanded, row, &CommandedPose::pose),
                            tell<"pose '%1' is commanded twice">(c.pose));
-        turned += std::ranges::all_of(c.angles, [](const auto& a) { return a.has_value(); }) ? 1u : 0u;
+        const auto given = std::ranges::count_if(c.angles, [](const auto& a) { return a.has_value(); });
+        turned += given == 3 ? 1u : 0u;
+        if (given == 1 || given == 2)
+            problems.error(robot_poses_fields().place(&StatedPoses::commanded, row),
+                           tell<"pose '%1' is commanded with some angles and without others">(c.pose));
     }
     if (turned != 0 && turned != setup.commanded.size())
         problems.error(robot_poses_fields().place(&StatedPoses::commanded),
@@ -197,10 +221,21 @@ void check_pairs(const StatedPoses& setup, Problems& problems) {
             problems.error(place, tell<"no cycles were measured at pose '%1'">(from ? pair.to : pair.from));
         else if (from == to)
             problems.error(place, tell<"a distance from pose '%1' to itself">(pair.from));
+        else if (std::ranges::count_if(setup.pairs, [&](const PosePair& other) {
+                     return other.from == pair.from && other.to == pair.to;
+                 }) > 1)
+            problems.error(place, tell<"the distance from '%1' to '%2' is there twice">(pair.from, pair.to));
         else if (from->cycles() != to->cycles())
             problems.error(place,
                            tell<"poses '%1' and '%2' have different numbers of cycles">(pair.from, pair.to));
     }
+}
+
+void check_target(const StatedPoses& setup, Problems& problems) {
+    for (std::size_t row = 0; row < setup.fixed_target.size(); ++row)
+        if (!std::isfinite(double(setup.fixed_target.size()) * setup.fixed_target[row].p.squaredNorm()))
+            problems.error(robot_poses_fields().place(&StatedPoses::fixed_target, row),
+                           tell<"the coordinates of the fixed target in row %1 are too large">(row + 1));
 }
 
 void check_rule(const StatedPoses& setup, Problems& problems) {
@@ -237,6 +272,7 @@ std::optional<RobotPosesSetup> read_robot_poses_setup(const SetupReader& reader,
     if (!problems.has_errors()) SeriesOfCycles(setup, problems).collect();
     check_pairs(setup, problems);
     check_rule(setup, problems);
+    check_target(setup, problems);
     if (problems.has_errors()) return std::nullopt;
     return setup;
 }

@@ -88,6 +88,9 @@ void check_tests(const StatedTests& setup, Problems& problems) {
         if (is_length && !(t.reference > 0.0))
             problems.error(fields.place(&StatedTests::tests, row, &TrackerTest::reference),
                            tell<"the length at position '%1' has no reference">(t.position));
+        if (!is_length && t.reference > 0.0)
+            problems.error(fields.place(&StatedTests::tests, row, &TrackerTest::reference),
+                           tell<"the two-face test of position '%1' has a reference length">(t.position));
         if (!t.mpe && !(is_length ? setup.length_constant : setup.two_face_constant))
             problems.error(fields.place(&StatedTests::tests, row, &TrackerTest::mpe),
                            tell<"nothing says the MPE of position '%1'">(t.position));
