@@ -86,11 +86,12 @@ void BudgetSheetView::resizeEvent(QResizeEvent* event) {
 
 /// The source is the first column to go where not all have room; it stands in the inspector as well.
 void BudgetSheetView::give_way_in_turn() {
-    constexpr int source = BudgetSheetModel::source, name = 1, narrow_name = 110;
-    int others = std::min(columnWidth(name), narrow_name);
+    constexpr int source = BudgetSheetModel::source, name = 1, narrow_words = 110;
+    int others = std::min(columnWidth(name), narrow_words);
     for (int column = 0; column < model()->columnCount(); ++column)
         if (column != name && column != source) others += columnWidth(column);
-    const int wanted = std::max(horizontalHeader()->sectionSizeHint(source), sizeHintForColumn(source));
+    const int wanted = std::max(std::min(sizeHintForColumn(source), narrow_words),
+                                horizontalHeader()->sectionSizeHint(source));
     setColumnHidden(source, others + wanted > viewport()->width());
 }
 

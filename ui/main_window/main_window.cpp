@@ -195,6 +195,8 @@ void MainWindow::make_toolbar() {
         button->setPopupMode(QToolButton::InstantPopup);
     toolbar_->widgetForAction(add_->menuAction())->setObjectName(QStringLiteral("add_button"));
     toolbar_->widgetForAction(exports_->document_action)->setObjectName(QStringLiteral("export_pdf_button"));
+    run_->run->setIconText(tr("Run"));
+    exports_->document_action->setIconText(tr("Document"));
     for (QAction* worded : {add_->menuAction(), run_->run, run_->stop, run_->live, exports_->document_action})
         if (auto* button = qobject_cast<QToolButton*>(toolbar_->widgetForAction(worded)))
             button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);

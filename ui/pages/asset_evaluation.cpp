@@ -7,6 +7,8 @@
 namespace covaria::ui {
 namespace {
 
+constexpr int least_height = 420;  // px, for a table above a chart
+
 struct Evaluation {
     QString html;
     std::vector<PlotSpecification> figures;
@@ -29,6 +31,7 @@ AssetEvaluation::AssetEvaluation(Document& document, std::string id, QWidget* pa
       id_(std::move(id)),
       job_(Execution::threads) {
     setAccessibleName(tr("Evaluation of the asset"));
+    setMinimumHeight(least_height);
     connect(&maker_, &ProjectMaker::made_changed, this, &AssetEvaluation::refresh);
     refresh();
 }

@@ -44,7 +44,7 @@ std::string shown_coefficient(double r) {
 BudgetPage::BudgetPage(Document& document, AnalysisRunner& runner, Selection& selection, QWidget* parent)
     : QWidget(parent), document_(document), runner_(runner), selection_(selection), correlations_(document) {
     column_ = new QVBoxLayout(this);
-    column_->setContentsMargins(12, 4, 12, 8);
+    column_->setContentsMargins(0, 4, 0, 8);  // the table has the whole stage
     column_->setSpacing(6);
     pair_ = new QLabel(this);
     pair_->setTextFormat(Qt::RichText);
@@ -58,6 +58,7 @@ BudgetPage::BudgetPage(Document& document, AnalysisRunner& runner, Selection& se
     remark_->setTextFormat(Qt::RichText);
     remark_->setWordWrap(true);
     auto* below = new QHBoxLayout;
+    below->setContentsMargins(16, 0, 16, 0);
     below->addWidget(remark_, 1, Qt::AlignTop);
     below->addWidget(pair_, 0, Qt::AlignTop);
     below->addWidget(correlation_, 0, Qt::AlignTop);

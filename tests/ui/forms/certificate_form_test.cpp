@@ -14,6 +14,7 @@
 #include "ui/forms/date_editor.h"
 #include "ui/forms/file_editor.h"
 #include "ui/forms/report_form.h"
+#include "ui/theme/fold_groups.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui::certificate_form_test {
@@ -21,6 +22,8 @@ namespace {
 
 struct CertificateFormTest : testing::Test {
     CertificateFormTest() {
+        auto* sections = form.findChild<FoldGroups*>();
+        for (int section = 0; section < sections->count(); ++section) sections->open(section);
         form.show();
         QApplication::setActiveWindow(&form);
     }
@@ -57,6 +60,19 @@ TEST_F(CertificateFormTest, EveryTextHasAFieldOfItsKindAndNoneIsMarked) {
         const QVariant hint = widget->property("placeholderText");
         EXPECT_EQ(hint.toString().contains(QStringLiteral("17025")), field.required) << name.toStdString();
     }
+}
+
+TEST_F(CertificateFormTest, ASectionSaysHowMuchOfItIsStated) {
+    const auto* sections = form.findChild<FoldGroups*>();
+    const auto summary = [&] {
+        QStringList words;
+        for (int section = 0; section < sections->count(); ++section)
+            words << sections->head(section)->summary();
+        return words.join(QStringLiteral(", "));
+    };
+    EXPECT_FALSE(summary().contains(QStringLiteral("1 of "))) << summary().toStdString();
+    type(find<QLineEdit>(&Certificate::number), QStringLiteral("2026-17"));
+    EXPECT_TRUE(summary().contains(QStringLiteral("1 of "))) << summary().toStdString();
 }
 
 TEST_F(CertificateFormTest, ALogoBesideTheProjectIsNamedRelativeToIt) {

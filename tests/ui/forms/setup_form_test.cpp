@@ -10,6 +10,7 @@
 #include <QLabel>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QToolButton>
 
 #include "tests/ui/qt_application.h"
 #include "tests/ui/sample_schema.h"
@@ -17,6 +18,7 @@
 #include "ui/forms/quantity_edit.h"
 #include "ui/forms/table_editor.h"
 #include "ui/forms/table_room.h"
+#include "ui/theme/fold_groups.h"
 
 namespace covaria::ui::setup_form_test {
 namespace {
@@ -25,6 +27,8 @@ struct SetupFormTest : testing::Test {
     SetupFormTest() {
         document.replace(sample_project());
         form = std::make_unique<SetupForm>(document, sample_address(), &sample_schema());
+        for (auto* groups : form->findChildren<FoldGroups*>())
+            for (int group = 0; group < groups->count(); ++group) groups->open(group);
         form->resize(600, 900);
         form->show();
         QApplication::setActiveWindow(form.get());
@@ -103,11 +107,39 @@ TEST_F(SetupFormTest, ChoicesShowAndHideWhatDependsOnThem) {
     EXPECT_EQ(setup().values.at("mode"), SetupValue(std::string("full")));
     EXPECT_TRUE(depth->isVisible());
     bool heading = false;
-    for (auto* label : form->findChildren<QLabel*>())
-        heading |= label->text() == "Details" && label->isVisible();
+    for (auto* head : form->findChildren<FoldHead*>())
+        heading |= head->text() == "Details" && head->isVisible();
     EXPECT_TRUE(heading);
     document.undo_stack().undo();
     EXPECT_FALSE(depth->isVisible());
+}
+
+TEST_F(SetupFormTest, AFieldOfAFoldedSectionIsShownByWhoLeadsToIt) {
+    auto* view = find<SpreadsheetView>("points");
+    auto* groups = form->findChild<FoldGroups*>();
+    ASSERT_NE(groups, nullptr);
+    for (int group = 0; group < groups->count(); ++group)
+        if (FoldHead* head = groups->head(group)) head->setChecked(false);
+    EXPECT_FALSE(view->isVisible());
+    EXPECT_TRUE(form->focus_field("/assets/0/setup/points/rows/1/u_x"));
+    EXPECT_TRUE(view->isVisible());
+    EXPECT_EQ(QApplication::focusWidget(), view);
+}
+
+TEST_F(SetupFormTest, TheToolsOfATableAreThereWithTheKeyboard) {
+    auto* view = find<SpreadsheetView>("points");
+    QToolButton* add = nullptr;
+    for (auto* button : form->findChildren<QToolButton*>())
+        if (button->accessibleName() == "Add row") add = button;
+    ASSERT_NE(add, nullptr);
+    find<QLineEdit>("length")->setFocus();
+    EXPECT_FALSE(add->isVisible());
+    view->setFocus();
+    EXPECT_TRUE(add->isVisible());
+    const int rows = view->model()->rowCount();
+    QTest::mouseClick(add, Qt::LeftButton);
+    EXPECT_EQ(view->model()->rowCount(), rows + 1);
+    EXPECT_TRUE(view->hasFocus()) << "what comes next is typed";
 }
 
 TEST_F(SetupFormTest, FlagsAndTextsAreEditedAndTypingMerges) {

@@ -315,8 +315,27 @@ TEST_F(BudgetSession, NoNumberIsCutWhileWordsCouldBe) {
     keep_picture(QStringLiteral("budget-s1-wide.png"));
     window_->resize(1280, 800);
     settle();
-    EXPECT_EQ(sheet()->columnWidth(Section::name), 110);
-    EXPECT_GT(sheet()->columnWidth(Section::stated), 200) << "it would scroll all the same";
+    EXPECT_TRUE(sheet()->isColumnHidden(Section::source)) << "the source is the first to go";
+    EXPECT_GE(sheet()->columnWidth(Section::name), 110) << "words are told apart";
+}
+
+TEST_F(BudgetSession, AllColumnsOfTheGaugeBlockAreInViewAt1440) {
+    const QString file = folder_.filePath(QStringLiteral("block.covaria"));
+    ASSERT_TRUE(
+        QFile::copy(QStringLiteral(COVARIA_SOURCE_DIR "/projects/certificate-gauge-block.covaria"), file));
+    window_->resize(1440, 900);
+    open(file);
+    ASSERT_TRUE(wait_for([&] { return sheet() && sheet()->isVisible(); }));
+    ASSERT_TRUE(wait_for([&] { return !cell(0, Section::share).isEmpty(); }));
+    trigger(QStringLiteral("Reset Layout"));
+    settle();
+    for (int section = 0; section < window_->budget().model()->columnCount(); ++section)
+        EXPECT_FALSE(sheet()->isColumnHidden(section)) << section;
+    const auto hidden = [&] { return sheet()->horizontalHeader()->length() - sheet()->viewport()->width(); };
+    EXPECT_TRUE(wait_for([&] { return hidden() <= 0; }, 3000)) << hidden() << " px are out of view";
+    // What is added up has c = 1, whatever its prefix.
+    EXPECT_EQ(cell(row_of(QStringLiteral("d")), Section::c), QStringLiteral("1.00"));
+    keep_picture(QStringLiteral("budget-block-1440.png"));
 }
 
 // While it is typed an equation is not wrong.

@@ -12,6 +12,7 @@
 #include "ui/pages/properties_pane.h"
 #include "ui/pages/results_pane.h"
 #include "ui/scene_view/scene_panel.h"
+#include "ui/theme/fold_groups.h"
 
 namespace covaria::ui::evaluation_session_test {
 namespace {
@@ -44,9 +45,9 @@ TEST_F(EvaluationSession, AnAssetShowsItsTablesAndCharts) {
     open(project_copy(QStringLiteral("force-moment-sensor")));
     wait_until_idle();
     window_->selection().select_entry({SetupOwner::asset, "sensor"});
-    show_group(QStringLiteral("Evaluation"));
     auto* view = window_->properties().findChild<EvaluationView*>();
     ASSERT_NE(view, nullptr);
+    FoldGroups::reveal(*view);
     ASSERT_TRUE(wait_for_text(*view, QStringLiteral("Kim, Table 3")));
     for (const char* const number : {"0.004 81", "1.6671", "2.78"})
         EXPECT_TRUE(view->text().toPlainText().contains(QLatin1String(number))) << number;

@@ -29,6 +29,7 @@
 #include "ui/pages/sortable_table.h"
 #include "ui/pages/unit_button.h"
 #include "ui/scene_view/scene_panel.h"
+#include "ui/theme/fold_groups.h"
 
 namespace covaria::ui::look_test {
 namespace {
