@@ -7,11 +7,13 @@
 namespace covaria {
 namespace {
 
-/// A cell, and the unit of its number behind it where `with_unit`.
+/// A cell, and the unit of its number behind it where `with_unit`: a number alone has none.
 std::string exact_cell(const Cell& cell, const DisplayUnits& units, bool with_unit) {
     const auto number = exact_quantity(cell, units);
-    return (number ? format_exact(number->value) : csv_text(english_of(cell, units))) +
-           (with_unit ? "," + (number ? csv_text(number->unit.text()) : std::string()) : std::string());
+    const std::string text = number ? format_exact(number->value) : csv_text(english_of(cell, units));
+    if (!with_unit) return text;
+    const bool is_alone = !number || (std::holds_alternative<Measured>(cell) && number->unit == Unit{});
+    return text + "," + (is_alone ? "" : csv_text(number->unit.text()));
 }
 
 Unit unit_of_head(const Column& column, const DisplayUnits& units) {

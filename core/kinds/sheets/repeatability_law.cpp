@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <random>
 
 #include "core/math/normal_quantile.h"
 #include "core/math/special_quantiles.h"
-#include "core/random/uniforms.h"
 
 namespace covaria::sheets {
 
@@ -34,12 +34,11 @@ public:
 
     double next() {
         for (Eigen::Index axis = 0; axis < 3; ++axis) {
-            uniforms(seed_of_campaigns, DrawPurpose::observations, std::uint32_t(axis), drawn_, draws_);
+            for (double& u : draws_) u = (double(generator_() >> 11) + 0.5) * 0x1p-53;
             normal_quantiles(draws_, draws_);
             for (Eigen::Index i = 0; i < points_.rows(); ++i)
                 points_(i, axis) = deviations_[axis] * draws_[std::size_t(i)];
         }
-        drawn_ += draws_.size();
         return repeatability(points_);
     }
 
@@ -47,7 +46,7 @@ private:
     Eigen::Vector3d deviations_;
     Eigen::MatrixX3d points_;
     std::vector<double> draws_;
-    std::uint64_t drawn_ = 0;
+    std::mt19937_64 generator_{seed_of_campaigns};  ///< the same numbers on every machine
 };
 
 }  // namespace

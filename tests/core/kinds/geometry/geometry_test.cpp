@@ -15,7 +15,7 @@ void expect_near(const Vector3d& found, const Vector3d& expected, double toleran
 }
 
 double scatter_of(const MeasurementModel& model) {
-    return 1e3 * std::get<double>(model.evaluation()[0].rows[0][4]);
+    return 1e3 * test::si_of(model.evaluation()[0].columns[4].cell(0));
 }
 
 // NIST's reference results have 20 digits; those of a double are about 14. Cofactors: an independent solution

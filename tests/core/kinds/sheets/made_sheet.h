@@ -10,6 +10,7 @@
 #include "core/kinds/registries.h"
 #include "core/model/asset.h"
 #include "core/propagation/engine.h"
+#include "tests/core/table_rows.h"
 
 namespace covaria::sheets_test {
 

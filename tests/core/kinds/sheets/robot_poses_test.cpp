@@ -224,7 +224,7 @@ TEST(RobotPoses, DecidesAboutTheMakersFigures) {
         covaria::Setup setup = setup_of({{"P1", {0.0, 0.0, 0.0}}}, {{"P1", "", {}, points}});
         setup.values["rated_rp"] = Quantity{rated_rp, Unit::of("mm")};
         const auto model = made(performance, setup);
-        return table_of(model->evaluation(), "conformity").rows.at(0);
+        return test::rows_of(table_of(model->evaluation(), "conformity")).at(0);
     };
     const double rp = repeatability(points);
     EXPECT_EQ(english_of(decided(1.4 * rp)[5]), "conforms");

@@ -38,7 +38,7 @@ TEST(TrackerTests, DecideWithTheUncertaintyOfTheTest) {
     const auto model = made("tracker-tests", tracker_setup());
     const Table decisions = table_of(model->evaluation(), "decisions");
     const auto number = [&](std::size_t row, std::size_t column) {
-        return 1e6 * value(decisions.rows.at(row).at(column));
+        return 1e6 * value(decisions.columns[column].cell(row));
     };
     const double mpe[] = {78.0, 42.0, 51.0, 56.0, 33.0}, error[] = {50.0, 50.0, 50.0, 20.0, -30.0};
     const double u[] = {2.0, 2.0, 2.0, std::hypot(3.0, 2.3), std::hypot(4.0, 1.15)};
