@@ -21,6 +21,7 @@
 #include "core/kinds/robot/model.h"
 #include "core/kinds/robot_identification/from_poses_model.h"
 #include "core/kinds/robot_identification/from_trajectories_model.h"
+#include "core/kinds/sheets/models.h"
 
 namespace covaria {
 namespace {
@@ -39,7 +40,8 @@ const std::vector<ModelDescriptor>& model_registry() {
         pose_from_points_model(),     points_from_sensors_model(), network_adjustment_model(),
         tcp_from_ballbars_model(),    robot_pose_model(),          robot_circle_points_model(),
         robot_calibration_model(),    force_channels_model(),      force_loads_model(),
-        measurement_equation_model(), calibration_curve_model(),   group_observations_model()};
+        measurement_equation_model(), calibration_curve_model(),   group_observations_model(),
+        distance_meter_model()};
     return models;
 }
 

@@ -324,7 +324,10 @@ const std::vector<AnalysisTemplate>& analysis_templates() {
          "Errors and uncertainty of the channels of a multi-axis sensor.", "force-moment-sensor", "combined"},
         {Topic::equation, "Forces and moments from readings",
          "Loads from the readings of a multi-axis sensor by its calibration matrix.", "force-moment-sensor",
-         "loads"}};
+         "loads"},
+        {Topic::points, "Distance meter on a baseline",
+         "Zero offset and standard deviation of a distance meter, with the tests of ISO 17123-4.",
+         "distance-meter", "zero-offset"}};
     return templates;
 }
 

@@ -1,0 +1,43 @@
+// Least squares of distances between pillars on a line: their lengths, the zero offset, the scatter.
+#pragma once
+
+#include <Eigen/Core>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "core/base/data_table.h"
+#include "core/kinds/sheets/distance_meter_setup.h"
+#include "core/text/plot_specification.h"
+
+namespace covaria::sheets {
+
+/// Unknowns: places of all pillars but the first, then the zero offset, which is added to a reading.
+struct DistanceMeterFit {
+    Eigen::VectorXd unknowns;
+    Eigen::MatrixXd cofactors;   ///< of the unknowns
+    Eigen::VectorXd residuals;   ///< adjusted less read, horizontal
+    Eigen::VectorXd redundancy;  ///< of each reading: diagonal of I - A Q A^T
+    double s = 0.0;              ///< of one distance
+    double degrees_of_freedom = 0.0;
+    double zero_offset() const { return unknowns[unknowns.size() - 1]; }
+    double u(Eigen::Index unknown) const { return s * std::sqrt(cofactors(unknown, unknown)); }
+    double u_zero_offset() const { return u(unknowns.size() - 1); }
+    /// JCGM 100 E.4.3: an s of normal readings has a relative standard deviation of about 1/sqrt(2 nu).
+    double u_s() const { return s / std::sqrt(2.0 * degrees_of_freedom); }
+};
+
+/// Empty: the readings do not tell the zero offset from the lengths.
+std::optional<DistanceMeterFit> fit_of(const DistanceMeterSetup& setup);
+
+/// The scale correction m = sum g_j (L_j - X_j) by the reference lengths, with the weights of least squares:
+/// the covariance of the adjusted lengths and the u of each reference length.
+Eigen::VectorXd scale_gain(const DistanceMeterSetup& setup, const DistanceMeterFit& fit);
+/// Which unknown a reference length belongs to.
+Eigen::Index unknown_of(const DistanceMeterSetup& setup, const ReferenceLength& length);
+
+std::vector<DataTable> distance_meter_tables(const DistanceMeterSetup& setup, const DistanceMeterFit& fit);
+std::vector<PlotSpecification> distance_meter_figures(const DistanceMeterSetup& setup,
+                                                      const DistanceMeterFit& fit);
+
+}  // namespace covaria::sheets
