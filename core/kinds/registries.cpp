@@ -10,6 +10,7 @@
 #include "core/kinds/force/assets.h"
 #include "core/kinds/force/channels.h"
 #include "core/kinds/force/loads.h"
+#include "core/kinds/geometry/model.h"
 #include "core/kinds/groups/model.h"
 #include "core/kinds/instruments/assets.h"
 #include "core/kinds/network/adjusted_model.h"
@@ -38,10 +39,10 @@ const Descriptor* find(const std::vector<Descriptor>& descriptors, std::string D
 const std::vector<ModelDescriptor>& model_registry() {
     static const std::vector<ModelDescriptor> models{
         pose_from_points_model(),     points_from_sensors_model(), network_adjustment_model(),
-        tcp_from_ballbars_model(),    robot_pose_model(),          robot_circle_points_model(),
-        robot_calibration_model(),    force_channels_model(),      force_loads_model(),
-        measurement_equation_model(), calibration_curve_model(),   group_observations_model(),
-        distance_meter_model()};
+        geometry_from_points_model(), feature_relations_model(),   tcp_from_ballbars_model(),
+        robot_pose_model(),           robot_circle_points_model(), robot_calibration_model(),
+        force_channels_model(),       force_loads_model(),         measurement_equation_model(),
+        calibration_curve_model(),    group_observations_model(),  distance_meter_model()};
     return models;
 }
 

@@ -7,6 +7,7 @@ namespace covaria {
 
 Reader spatial_analyzer_reader();
 Reader point_table_reader();
+Reader coordinate_list_reader();
 Reader dcc_reader();
 Reader gsi_reader();
 Reader gama_reader();

@@ -47,6 +47,7 @@ std::string names_of(const std::vector<const Reader*>& readers) {
 const std::vector<Reader>& reader_registry() {
     static const std::vector<Reader> readers{spatial_analyzer_reader(),
                                              point_table_reader(),
+                                             coordinate_list_reader(),
                                              dcc_reader(),
                                              gsi_reader(),
                                              gama_reader(),

@@ -1,0 +1,49 @@
+// Capability "features": results of an analysis as places and directions, with their estimates.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/kinds/points/point_uncertainty.h"
+#include "core/model/asset.h"
+#include "core/model/measurement_model.h"
+
+namespace covaria {
+
+class FeatureSource : public Capability {
+public:
+    static constexpr const char* capability = "features";
+    static constexpr const char* lacking = "has no features as results";
+    /// Where the feature of this name is at the estimates of the analysis, as its set-up states it; empty:
+    /// there is none, or it has no value.
+    virtual std::optional<Eigen::Vector3d> place(const std::string& feature) const = 0;
+    /// Empty: it has none.
+    virtual std::optional<Eigen::Vector3d> direction(const std::string& feature) const = 0;
+};
+
+/// Every group of outputs with lengths x, y and z is a feature of that name, and with n_x, n_y and n_z one
+/// with a direction. It is a point too, whose deviations are those of the outputs.
+class OutputFeatures : public Asset,
+                       public PointUncertaintySource,
+                       public PointOutputSource,
+                       public FeatureSource {
+public:
+    OutputFeatures(std::string analysis, const MeasurementModel& model);
+
+    Axes axes() const override { return Axes::world; }
+    std::vector<PointDeviation> deviations(const Eigen::Vector3d&) const override { return {}; }
+    std::optional<OutputReference> coordinate(const std::string& point, std::size_t axis) const override;
+    std::optional<Eigen::Vector3d> place(const std::string& feature) const override;
+    std::optional<Eigen::Vector3d> direction(const std::string& feature) const override;
+
+private:
+    struct Placed {
+        std::optional<Eigen::Vector3d> place, direction;
+    };
+    std::string analysis_;
+    std::map<std::string, Placed> features_;
+};
+
+}  // namespace covaria
