@@ -14,7 +14,7 @@ namespace covaria {
 /// with Monte Carlo, "histograms" and "convergence" (the ids); one for each study.
 /// `project`: whose requirements are judged.
 std::vector<DataTable> result_tables(const Project& project, const EvaluatedAnalysis& evaluated);
-/// Of a study: one line per grid point, with the reason where it has no values. The id is "study-ID".
+/// A study as a file: one line per grid point, with the reason where it has no values. The id is "study-ID".
 DataTable study_table(const StudyResult& study);
 /// The evaluation of each asset; ids start with the asset's.
 std::vector<DataTable> asset_tables(const AssetLibrary& assets);
