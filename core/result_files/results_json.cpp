@@ -1,5 +1,7 @@
 // results.json: the contract of the command line for scripts (DESIGN 9). No clock, no host: equal runs, equal
 // bytes.
+#include "core/result_files/results_json.h"
+
 #include "core/base/printable.h"
 #include "core/base/version.h"
 #include "core/project/project_file.h"
@@ -10,6 +12,7 @@
 #include "core/result_files/json_values.h"
 #include "core/result_files/seen_json.h"
 #include "core/result_files/study_results_json.h"
+#include "core/text/cell.h"
 #include "core/text/numbers.h"
 #include "core/views/result_columns.h"
 
