@@ -28,7 +28,7 @@ struct EvaluatedAnalysis {
     std::shared_ptr<const ResultsBefore> before = {};  ///< null: its report compares with nothing
 };
 
-/// Of these analyses, in their order.
+/// Ids of these analyses, in their order.
 std::vector<std::string> ids_of(const std::vector<EvaluatedAnalysis>& analyses);
 
 /// An analysis of the project, or a study or design of one, that has no results.

@@ -6,6 +6,7 @@
 #include <utility>
 #include <xsimd/memory/xsimd_aligned_allocator.hpp>
 
+#include "core/model/dense_jacobian.h"
 #include "core/model/sensitivity_rows.h"
 
 namespace covaria {
@@ -245,10 +246,7 @@ bool ComposedModel::sensitivities(std::span<const double> x, SensitivityRows& ro
 bool ComposedModel::jacobian(std::span<const double> x, Eigen::MatrixXd& jacobian) const {
     SensitivityRows rows;
     if (!sensitivities(x, rows)) return false;
-    jacobian.setZero(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(x.size()));
-    for (std::size_t j = 0; j < rows.size(); ++j)
-        for (const Sensitivity& s : rows[j])
-            jacobian(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(s.input)) = s.coefficient;
+    set_dense(rows, x.size(), jacobian);
     return true;
 }
 

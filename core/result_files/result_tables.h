@@ -14,7 +14,7 @@ namespace covaria {
 /// with Monte Carlo, "histograms" and "convergence" (the ids); one for each study.
 /// `project`: whose requirements are judged.
 std::vector<Table> result_tables(const Project& project, const EvaluatedAnalysis& evaluated);
-/// Of a study: one line per grid point, with the reason where it has no values. The id is "study-ID".
+/// A study as a file: one line per grid point, with the reason where it has no values. The id is "study-ID".
 Table study_table(const StudyResult& study);
 /// The evaluation of each asset; ids start with the asset's.
 std::vector<Table> asset_tables(const AssetLibrary& assets);

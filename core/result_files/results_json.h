@@ -9,7 +9,7 @@
 
 namespace covaria {
 
-/// What stands beside the results of analyses in results.json.
+/// Failures and files that results.json lists beside the results of analyses.
 struct ResultFile {
     std::string name;
     std::vector<std::pair<std::string, std::string>> of;  ///< "analysis": "a", "table": "budget", "group" ...

@@ -1,8 +1,8 @@
 // A study as one table: axes, outputs, points in space, remarks.
 #include <cmath>
 
-#include "core/result_files/result_tables.h"
 #include "core/result/representation.h"
+#include "core/result_files/result_tables.h"
 
 namespace covaria {
 namespace {

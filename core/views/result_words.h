@@ -10,8 +10,8 @@
 
 namespace covaria::result_words {
 
-std::string type_text(EvaluationType type);                   ///< "A", "B"
-std::string unit_text(const Unit& unit);                      ///< "mm", "1" for the unit one
+std::string type_text(EvaluationType type);    ///< "A", "B"
+std::string unit_text(const Unit& unit);       ///< "mm", "1" for the unit one
 std::string id_part(const std::string& text);  ///< of a block's id: a part of a file's name in small letters
 Text output_text(const OutputQuantity& quantity, const DocumentLanguage& in = {});  ///< "x (pose 7)"
 Message output_label(const OutputQuantity& quantity);                               ///< likewise, Unicode

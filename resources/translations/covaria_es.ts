@@ -15248,6 +15248,1126 @@ nu 18 detrás de cualquiera de ellos: grados de libertad</translation>
         <source>Mean u of a coordinate: %1 as stated, %2 as seen.</source>
         <translation>u media de una coordenada: %1 según lo indicado, %2 según lo observado.</translation>
     </message>
+    <message>
+        <source>Geometry from points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lines, planes, circles, spheres, cylinders and cones through measured points by orthogonal least squares: place, direction, diameter and form deviation with the full covariance of the points.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points weigh alike, whatever their uncertainty, as in least-squares features of coordinate measurement; their covariance goes into the uncertainty of the results.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A circle in space is fitted in two steps, as NIST&apos;s: the plane by all points, then the circle by the points projected onto it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The direction has its largest component positive; that of a cone leads from the apex into it. &quot;Reversed&quot; turns it. Trials keep the sign of the estimates.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The place of a plane or line is the mean of the points; of a cylinder or cone it is the point of the axis next to that mean, so the uncertainty along the axis is that of the mean.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Every trial of a Monte Carlo run fits its points anew. Form deviations of trials are larger than that of the points as measured, for uncertainty adds to what is form.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Features</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Forms that are fitted to points by orthogonal least squares.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name of the feature, unique.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>form</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is fitted to its points. In the xy-plane z does not matter.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>circle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sphere</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cylinder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>line in the xy-plane</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>circle in the xy-plane</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reversed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The direction is stated with the other sign: the largest component of the direction is negative, that of a cone leads to its apex.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Form deviations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Peak to valley and root mean square of the points&apos; deviations from their feature are results too.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measured points of the features, typed, pasted or from a CSV file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>feature</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The feature that it is a point of; empty: that of the row above, of the first row the first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name of the point, unique in its feature; empty: its number. Of points that an analysis measured the name there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measured coordinate x; empty where the point is a feature of an analysis, and z in the xy-plane.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measured coordinate y; empty where the point is a feature of an analysis, and z in the xy-plane.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measured coordinate z; empty where the point is a feature of an analysis, and z in the xy-plane.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of coordinate x of this point; empty: as for all points.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of coordinate y of this point; empty: as for all points.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of coordinate z of this point; empty: as for all points.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Correlation coefficient of the point&apos;s own x and y.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Correlation coefficient of the point&apos;s own x and z.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Correlation coefficient of the point&apos;s own y and z.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Typed, from the scatter of the points about their feature, or of what measured them: an instrument of the project, or an analysis whose results are points.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>from the scatter about the feature</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an instrument or an analysis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of every coordinate of every point that states none, independent of all others.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of a deviation along x that all points share beside their own: where the instrument stands.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of a deviation along y that all points share beside their own: where the instrument stands.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Common u of z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of a deviation along z that all points share beside their own: where the instrument stands.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measured by</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An instrument that stands somewhere, whose scale and station are alike for all points; or an analysis, whose points are known by their names and are evaluated with this one in every trial.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Relation of features</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distances, angles, intersections and frames of features and points that other analyses measured, or that are typed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Features are evaluated with the relations as one model in every trial: what two features have in common, as the station of their instrument, cancels where it cancels.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A direction is that of the feature, with its sign: of a plane the normal. The angle of a line and a plane is 90° less the angle of their directions.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The angle of nearly parallel directions is never negative, so its estimate is too large where its uncertainty is not small; tilts have signs and no such bias.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A frame&apos;s angles are those of Z-Y-X: R = Rz(γ) Ry(β) Rx(α).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Results of analyses (features, targets, frames&apos; origins), or typed ones, such as the direction of gravity.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name of the feature here, unique.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The analysis whose result it is; empty: place and direction are typed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its name in that analysis: a feature, a target, &quot;apex of C1&quot;; empty: the name here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Typed coordinate x; empty: 0.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Typed coordinate y; empty: 0.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Typed coordinate z; empty: 0.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Typed direction, component x, of any length; empty: it has none.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Typed direction, component y, of any length; empty: it has none.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Typed direction, component z, of any length; empty: it has none.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of each typed coordinate; empty: none.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of the typed direction, of two tilts across it; empty: none.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Relations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distances, angles, intersections and frames of the features.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name of the result, unique.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>relation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is wanted of the features.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>distance of two places</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>distance of a place from a plane</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>distance of a place from a line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>distance of two lines</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>angle of two directions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tilts of a direction against another</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>middle of two places</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>foot of a place on a plane</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>foot of a place on a line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>intersection of a line and a plane</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>intersection of two lines</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>intersection of three planes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>line of two planes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>frame: origin, z, x</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>frame: origin on a plane, its normal z, x</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A feature: the place, line or plane that is asked about; of a frame its origin.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another one: what it is related to; of a frame the direction of z.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>third</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A third one: the third plane; of a frame and of tilts what x points to, along its direction if it has one, else towards its place.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distance meter on a baseline</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Zero offset and standard deviation of a distance meter from distances between all pairs of pillars on a line, with their uncertainties, and the statistical tests of ISO 17123-4; its scale, where lengths of the baseline are known.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All pairs of n pillars, read once each: the cofactor of the zero offset is 6/((n − 1)(n − 2)) whatever the lengths, and there are n (n − 1)/2 − n degrees of freedom.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Limits of the tests are quantiles of chi-squared, F and t for the degrees of freedom that the readings have, not figures of a table.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Any set of readings that tells the unknowns is adjusted, also one with pairs left out or repeated; readings that repeat without the instrument set up anew agree better than the instrument does.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distances count with equal weights.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distances between pillars that stand on a line, best of all pairs, each with the instrument set up anew.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pillar of the instrument.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pillar of the reflector.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As read, with the correction for the atmosphere and without one for the zero.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the reflector above the instrument, where the distance is a slope distance; empty: it is horizontal.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tests</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>σ, stated or wanted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Standard deviation of one distance that test a holds s against: of the maker, or what a job needs. Empty: no test a.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>s of another campaign</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Experimental standard deviation that test b compares s with: of another instrument or day. Empty: no test b.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its degrees of freedom</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the s of the other campaign: 14 for all pairs of seven pillars.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Probability of the tests</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 − α: an instrument that is as good as stated passes a test with this probability.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scale correction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Readings alone say nothing of it: it needs lengths of the baseline that are known better.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not asked for</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>by reference lengths</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reference lengths</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Horizontal lengths from the pillar where the line begins, of a certificate.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pillar</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As in the readings.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the pillar where the line begins.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of this length alone, beside what all share; empty: none.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>u of the baseline&apos;s scale</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Relative standard uncertainty that all reference lengths share.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>u of the correction for the atmosphere</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Relative standard uncertainty that all readings share: 1 °C or 3.5 hPa are about 1 ppm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Planes, circles, axes and balls through measured points, with form deviations.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frame, distances and angles of features</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A frame as shops make it of a face, a bore and a hole, and where other features are from it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Zero offset and standard deviation of a distance meter, with the tests of ISO 17123-4.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Total station on a baseline of seven pillars</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The distance meter of a total station, tested after ISO 17123-4 with distances between all pairs of seven pillars.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Flange and tool of a robot, from measured points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A laser tracker probed the flange of a robot: its face, its bore, a dowel hole, the shank of a tool and the ball at its tip.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Form deviations of a turned part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A coordinate measuring machine probed a seat, a taper, a face and a groove.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, point %2, coordinate %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>common deviation of all points along %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>scatter of the points of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>residuals of %1 points about %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an instrument measures points in space; &apos;%1&apos; lies in the xy-plane: state the uncertainty of its points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>orthogonal distances of the points from the feature</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>circle in its plane, cylinder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cone, half angle φ</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>form deviations of m points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>two features are called &apos;%1&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has no feature called &apos;%2&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has no value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the direction of &apos;%1&apos; is zero</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>typed coordinate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tilt of the typed direction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, direction along %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>two relations are called &apos;%1&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; takes two features; leave the third empty</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; needs three features</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no feature &apos;%1&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has no direction, which &apos;%2&apos; needs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, angle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, tilt towards x</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, tilt towards y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, rotation about %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the two places are the same</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the place is on the line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the two are parallel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the directions are parallel: ask for tilts, which have a sign</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the line is parallel to the plane</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the three planes have no common point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>x and z are parallel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos;: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>elementary geometry; p places, n unit directions of the first, second, third</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>from a plane; from a line the length across n₂</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>between lines</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tilts, z = n₂</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>frames, v of the third</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>centre of %1, %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>point on the axis of %1, %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>place of %1, %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>point on %1, %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>normal of %1, %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>direction of the axis of %1, %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>direction of %1, %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>flatness deviation of %1, peak to valley</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>straightness deviation of %1, peak to valley</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>roundness deviation of %1, peak to valley</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cylindricity deviation of %1, peak to valley</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>form deviation of %1, peak to valley</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>diameter of %1 at its point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>diameter of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>angle of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>form deviation of %1, root mean square</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>apex of %1, %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>two points of &apos;%1&apos; are called &apos;%2&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has no point called &apos;%2&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>point &apos;%1&apos; has no coordinate %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has %2 points; a %3 needs %4 or more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the %1 points of &apos;%2&apos; do not scatter: with so few the form goes through all of them; add points, or state their uncertainty</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the points of &apos;%1&apos;: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the points of &apos;%1&apos; lie exactly on it: their scatter says nothing of their uncertainty</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>they are so nearly flat or straight that they determine no radius</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no %1 that fits them was found</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>all of them are the same</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>they are too far from each other</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>they lie on a straight line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>they lie on a plane</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How well the points determine the features</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at a standard deviation of 1 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at the scatter of the points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Standard uncertainties that independent deviations of all coordinates alike would give, first with a standard deviation of 1 mm: they depend on where the points are alone. Places and tilts are along the directions in which they are largest and smallest.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>place across the axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>offset across the line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>offset along the normal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>diameter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>angle of the cone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>correlation of diameter and centre along the middle of the arc</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>angle to both sides of that middle within which the points are</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Features and the scatter of their points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>largest deviation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>s is the root of the sum of squares of the deviations over the degrees of freedom.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Deviations of the points from their features</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>above the plane of the circle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Positive outside of a circle, sphere, cylinder or cone and on the side of a plane to which its normal points; of a line in space the distance.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the points of &apos;%1&apos; are within %2° of the middle of their arc: its diameter has %3 times the standard uncertainty of a coordinate and correlates with the place of the centre by %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>apex of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>all pairs of pillars, ISO 17123-4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>N distances between n pillars; JCGM 100 H.3.2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>JCGM 100 E.4.3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>scale, by the reference lengths L_j</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>scatter of the distances</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>least squares, residuals of %1 distances</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>zero offset</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>place of pillar %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>standard deviation of one distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>few degrees of freedom of s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reference lengths and their conditions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>scale of the readings by the atmosphere</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>correction for the atmosphere</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>scale of the baseline</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reference length of pillar %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reference length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>zero offset, added to a reading</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>scale correction, times a reading</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the readings do not tell the zero offset from the lengths: some line of three pillars must be read whole and in parts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a distance from pillar &apos;%1&apos; to itself</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the height difference in row %1 is not shorter than the slope distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a zero offset needs distances between three pillars or more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 distances for %2 lengths and the zero offset leave nothing that would tell the scatter: read more pairs of pillars</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the distances do not connect all pillars</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pillar &apos;%1&apos; has two reference lengths</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no reading is to or from pillar &apos;%1&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reference lengths begin at pillar &apos;%1&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a: s is not larger than the stated σ</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>b: s and the s of the other campaign are of one σ, s²/s²</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>c: the zero offset is not different from zero</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A zero offset is seen: add it to readings, or enter it in the instrument.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pillars</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>s of one distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>standard uncertainty of s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>standard uncertainty of the zero offset</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cofactor of the zero offset</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>residual over its s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>passed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not passed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>line of the baseline</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>baseline</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>scatter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the name of the file says that it is a %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file does not say which form its points have: a %1 is fitted; choose another one in the table of features</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the first line is not a number of points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>x y z were expected, %1 columns found</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the first line announces %1 points, but there are %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>what stands behind the %1 points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 points; their uncertainty is taken from their scatter about the form</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 points; state their uncertainty: the file says nothing of it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>List of coordinates (NIST .ds)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sheet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Statistical tests</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>test</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lengths of the baseline</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Readings and their residuals</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Residuals of the distances</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>−s</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -19465,13 +20585,6 @@ Lo usan: %1. Tendrán un error hasta que usen otra cosa.</translation>
     </message>
 </context>
 <context>
-    <name>covaria::ui::SeenTableModel</name>
-    <message>
-        <source>interval of the factor</source>
-        <translation>intervalo del factor</translation>
-    </message>
-</context>
-<context>
     <name>covaria::ui::SeenTab</name>
     <message>
         <source>seen</source>
@@ -19516,6 +20629,13 @@ Lo usan: %1. Tendrán un error hasta que usen otra cosa.</translation>
     <message>
         <source>Take over uncertainties as seen</source>
         <translation>Adoptar las incertidumbres observadas</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::SeenTableModel</name>
+    <message>
+        <source>interval of the factor</source>
+        <translation>intervalo del factor</translation>
     </message>
 </context>
 <context>

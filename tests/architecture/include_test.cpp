@@ -77,7 +77,8 @@ bool may_include(const std::string& user, const std::string& used) {
     // Who is above the families asks their list, not them.
     if (used.starts_with("core/kinds/") && user != "core/kinds") return false;
     if (user.starts_with("core/")) return at_or_before(core_order, floor_of(user), floor_of(used));
-    if (user == "viz/scene") return used.starts_with("core/") && used != "core/report" && used != "core/document";
+    if (user == "viz/scene")
+        return used.starts_with("core/") && used != "core/report" && used != "core/document";
     if (user == "viz/vtk") return used == "viz/scene" || used == "core/text" || used == "core/base";
     if (user.starts_with("ui/"))
         return used.starts_with("core/") || used.starts_with("viz/") || at_or_before(ui_order, user, used);

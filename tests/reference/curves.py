@@ -4,7 +4,7 @@ import mpmath as mp
 from dual import Dual
 from equations import Inputs
 from networks import table
-from units import factor
+from units import factor, number
 
 
 def evaluate(entry, folder, analysis):
@@ -12,7 +12,6 @@ def evaluate(entry, folder, analysis):
     if setup.get("uncertainty", "residuals") != "residuals" or setup.get("inverse"):
         raise NotImplementedError("stated uncertainties of the points, inverse use")
     points = table(setup["points"], folder)
-    number = lambda value: mp.mpf(float(value))  # as a program reads it
     x, y = [number(p["x"]) for p in points], [number(p["y"]) for p in points]
     origin = number(setup.get("origin", 0))
     powers = range(1 if setup.get("through_origin") else 0, setup.get("degree", 1) + 1)

@@ -13,15 +13,6 @@ def uncertainty(gradient, inputs):
     return mp.sqrt(variance) if variance > 0 else mp.mpf(0)
 
 
-def covariance(a, b, inputs):
-    first = [a.get(symbol, mp.mpf(0)) * u for symbol, u, _ in inputs.components]
-    second = [b.get(symbol, mp.mpf(0)) * u for symbol, u, _ in inputs.components]
-    total = mp.fsum(x * y for x, y in zip(first, second))
-    for (i, j), r in inputs.correlation.items():
-        total += r * (first[i] * second[j] + first[j] * second[i])
-    return total
-
-
 def effective_degrees_of_freedom(gradient, inputs):
     """Welch-Satterthwaite (G.2b), for independent components."""
     u = uncertainty(gradient, inputs)

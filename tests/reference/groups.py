@@ -4,12 +4,11 @@ import mpmath as mp
 from dual import Dual
 from equations import Inputs
 from networks import table
-from units import factor
+from units import factor, number
 
 
 def evaluate(entry, folder, analysis):
     setup, inputs = entry["setup"], Inputs()
-    number = lambda value: mp.mpf(float(value))  # as a program reads it
     if setup.get("data", "observations") == "summary":
         groups = [(number(r["mean"]), number(r["s"]), int(r.get("n", setup.get("per_group", 5)))) for r in table(setup["groups"], folder)]
     else:

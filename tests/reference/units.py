@@ -60,3 +60,8 @@ def factor(text):
 
 def zero(text):
     return mp.mpf("273.15") if text in ("degC", "°C") else mp.mpf(0)
+
+
+def number(value):
+    """Of a cell, as a program reads it."""
+    return mp.mpf(float(value))

@@ -21,8 +21,7 @@ std::vector<double> estimated_outputs(const MeasurementModel& model) {
 }  // namespace
 
 OutputFeatures::OutputFeatures(std::string analysis, const MeasurementModel& model)
-    : analysis_(std::move(analysis)) {
-    offer(static_cast<const PointUncertaintySource&>(*this));  // and by its type what else this is
+    : OutputPoints(std::move(analysis), model.outputs()) {
     const std::vector<double> y = estimated_outputs(model);
     const auto& outputs = model.outputs();
     std::map<std::string, std::map<std::string, std::size_t>> groups;
@@ -33,18 +32,12 @@ OutputFeatures::OutputFeatures(std::string analysis, const MeasurementModel& mod
             if (y.empty()) return {};
             return Eigen::Vector3d(y[symbols.at(of[0])], y[symbols.at(of[1])], y[symbols.at(of[2])]);
         };
-        if (!std::all_of(place_symbols.begin(), place_symbols.end(), has)) continue;
-        if (outputs[symbols.at("x")].unit.dimension() != Unit::of("m").dimension()) continue;
+        if (!coordinate(name, 0)) continue;
         Placed& placed = features_[name];
         placed.place = vector_of(place_symbols);
         if (std::all_of(component_symbols.begin(), component_symbols.end(), has))
             placed.direction = vector_of(component_symbols);
     }
-}
-
-std::optional<OutputReference> OutputFeatures::coordinate(const std::string& point, std::size_t axis) const {
-    if (!features_.contains(point)) return {};
-    return OutputReference{analysis_, point, place_symbols[axis]};
 }
 
 std::optional<Eigen::Vector3d> OutputFeatures::place(const std::string& feature) const {

@@ -4,10 +4,8 @@
 #include <map>
 #include <optional>
 #include <string>
-#include <vector>
 
-#include "core/kinds/points/point_uncertainty.h"
-#include "core/model/asset.h"
+#include "core/kinds/points/output_points.h"
 #include "core/model/measurement_model.h"
 
 namespace covaria {
@@ -25,16 +23,10 @@ public:
 
 /// Every group of outputs with lengths x, y and z is a feature of that name, and with n_x, n_y and n_z one
 /// with a direction. It is a point too, whose deviations are those of the outputs.
-class OutputFeatures : public Asset,
-                       public PointUncertaintySource,
-                       public PointOutputSource,
-                       public FeatureSource {
+class OutputFeatures : public OutputPoints, public FeatureSource {
 public:
     OutputFeatures(std::string analysis, const MeasurementModel& model);
 
-    Axes axes() const override { return Axes::world; }
-    std::vector<PointDeviation> deviations(const Eigen::Vector3d&) const override { return {}; }
-    std::optional<OutputReference> coordinate(const std::string& point, std::size_t axis) const override;
     std::optional<Eigen::Vector3d> place(const std::string& feature) const override;
     std::optional<Eigen::Vector3d> direction(const std::string& feature) const override;
 
@@ -42,7 +34,6 @@ private:
     struct Placed {
         std::optional<Eigen::Vector3d> place, direction;
     };
-    std::string analysis_;
     std::map<std::string, Placed> features_;
 };
 

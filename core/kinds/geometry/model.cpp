@@ -4,6 +4,7 @@
 #include "core/kinds/geometry/feature_source.h"
 #include "core/kinds/geometry/results.h"
 #include "core/kinds/geometry/tables.h"
+#include "core/model/dense_jacobian.h"
 #include "core/model/equation_model.h"
 
 namespace covaria {
@@ -62,10 +63,7 @@ public:
     bool jacobian(std::span<const double> x, Eigen::MatrixXd& jacobian) const override {
         SensitivityRows rows;
         if (!sensitivities(x, rows)) return false;
-        jacobian = Eigen::MatrixXd::Zero(Eigen::Index(outputs_.size()), Eigen::Index(x.size()));
-        for (std::size_t j = 0; j < rows.size(); ++j)
-            for (const Sensitivity& s : rows[j])
-                jacobian(Eigen::Index(j), Eigen::Index(s.input)) = s.coefficient;
+        set_dense(rows, x.size(), jacobian);
         return true;
     }
 

@@ -212,7 +212,7 @@ private:
     const FeatureValues<Real>&a_, &b_, &c_;
 };
 
-/// Of tilts without a third feature: the world's axis that lies most across the second direction.
+/// The world's axis that lies most across the second direction: x of tilts without a third feature.
 inline Eigen::Vector3d axis_most_across(const Eigen::Vector3d& n) {
     Eigen::Index least;
     n.cwiseAbs().minCoeff(&least);

@@ -50,7 +50,7 @@ void set_results(const Feature& feature, const Parameters<Real>& v, const Vector
     set_vector(at.apex, fitted.to_world<Real>(shape.apex()));
 }
 
-/// What the points of a feature are in its local axes. Of one thread, kept between trials.
+/// The points of a feature in its local axes: the room of one thread, kept between trials.
 template <class Real>
 std::vector<Vector3<Real>>& points_of_thread() {
     static thread_local std::vector<Vector3<Real>> points;

@@ -6,7 +6,7 @@
 #include "core/base/name.h"
 #include "core/kinds/network/seen_figures.h"
 #include "core/kinds/points/output_points.h"
-#include "core/model/measurement_model.h"
+#include "core/model/dense_jacobian.h"
 
 namespace covaria {
 
@@ -109,11 +109,7 @@ public:
     bool jacobian(std::span<const double> x, Eigen::MatrixXd& jacobian) const override {
         SensitivityRows rows;
         if (!sensitivities(x, rows)) return false;
-        jacobian = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(rows.size()),
-                                         static_cast<Eigen::Index>(x.size()));
-        for (std::size_t k = 0; k < rows.size(); ++k)
-            for (const Sensitivity& s : rows[k])
-                jacobian(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(s.input)) = s.coefficient;
+        set_dense(rows, x.size(), jacobian);
         return true;
     }
 

@@ -68,9 +68,9 @@ public:
         if (setup_.with_scale) {
             Real m(0.0);
             for (std::size_t j = 0; j < setup_.reference.size(); ++j) {
-                const auto k = std::size_t(sheets::unknown_of(setup_, setup_.reference[j]));
-                m = m + Real(gain_[Eigen::Index(j)]) *
-                            (x[first_reference_ + j] - (Real(1.0) + x[first_reference_ - 1]) * x[k]);
+                m = m +
+                    Real(gain_[Eigen::Index(j)]) *
+                        (x[first_reference_ + j] - (Real(1.0) + x[first_reference_ - 1]) * x[length_of_[j]]);
             }
             y.set(output++, m);
         }
@@ -162,6 +162,7 @@ private:
         first_reference_ = inputs_.quantities.size();
         for (std::size_t j = 0; j < setup_.reference.size(); ++j) {
             const sheets::ReferenceLength& reference = setup_.reference[j];
+            length_of_.push_back(std::size_t(sheets::unknown_of(setup_, reference)));
             const std::string symbol = "L_" + std::to_string(j + 1);
             InputQuantity quantity{.symbol = symbol,
                                    .name = tell<"reference length of pillar %1">(reference.pillar),
@@ -205,6 +206,7 @@ private:
     std::vector<OutputQuantity> outputs_;
     Eigen::VectorXd gain_;
     std::size_t first_reference_ = 0;
+    std::vector<std::size_t> length_of_;  ///< the unknown that each reference length is of
 };
 
 std::unique_ptr<MeasurementModel> create_distance_meter(const SetupReader& reader, const AssetLibrary& assets,

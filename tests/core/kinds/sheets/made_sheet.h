@@ -45,7 +45,7 @@ inline FirstOrderOutput first_order(const MeasurementModel& model, const std::st
     throw std::runtime_error("no output " + symbol);
 }
 
-/// Of a cell that is a quantity: in its unit.
+/// The number of a cell; of a quantity, in its unit.
 inline double value(const Cell& cell) {
     return std::holds_alternative<Quantity>(cell) ? std::get<Quantity>(cell).value
                                                   : std::get<Measured>(cell).si;
