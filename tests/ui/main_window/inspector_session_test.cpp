@@ -9,6 +9,8 @@
 #include "ui/pages/answer_strip.h"
 #include "ui/pages/recent_card.h"
 #include "ui/pages/run_status.h"
+#include "ui/theme/strings.h"
+#include "ui/theme/typeset_label.h"
 
 namespace covaria::ui::inspector_session_test {
 namespace {
