@@ -34,13 +34,21 @@ bool of_height(const std::string& kind) {
            kind == "zenith-angle";
 }
 
-/// What Gama leaves out is left out here too.
-void take_over(const GamaParameters& parameters, Setup& setup, Proposals& proposals) {
-    setup.values["gross_limit"] = Quantity{1e-3 * parameters.tolerance, Unit::of("m")};
+/// Gama weighs the absolute terms of angles before it tests them: by so much more they may miss.
+double gross_limit(const GamaParameters& parameters, double least_u_of_angle) {
+    const double weight = 1e4 * least_u_of_angle / parameters.sigma;
+    return 1e-3 * parameters.tolerance * (std::isfinite(weight) ? std::max(1.0, weight) : 1.0);
+}
+
+/// What Gama leaves out is left out here too; `least_u_of_angle` in gon.
+void take_over(const GamaParameters& parameters, double least_u_of_angle, Setup& setup,
+               Proposals& proposals) {
+    const double limit = gross_limit(parameters, least_u_of_angle);
+    setup.values["gross_limit"] = Quantity{limit, Unit::of("m")};
     setup.values["undetermined"] = std::string("leave-out");
     proposals.found.push_back(
-        tell<"observations that miss the approximate coordinates by more than %1 m, and points that nothing "
-             "tells, are left out, as Gama does">(shortest_number(1e-3 * parameters.tolerance)));
+        tell<"observations that miss what the others agree on by more than %1 m, and points that nothing "
+             "tells, are left out, as Gama does">(shortest_number(limit)));
     if (parameters.a_posteriori)
         proposals.found.push_back(
             tell<"the file asks for standard deviations a posteriori: for these choose uncertainties as "
@@ -196,6 +204,7 @@ bool GamaNetwork::propose(const std::vector<GamaObserved>& observed,
             const auto refused = objection(all[i]);
             if (!refused && all[i].u && *all[i].u > 0.0) {
                 rows_.push_back({all[i], labels[i]});
+                if (all[i].is_angle) least_u_of_angle_ = std::min(least_u_of_angle_, *all[i].u);
                 continue;
             }
             left_out.emplace_back(
@@ -209,12 +218,12 @@ bool GamaNetwork::propose(const std::vector<GamaObserved>& observed,
         return labels;
     };
     const auto of_observed = take(observed, correlations, "o");
-    const bool reads = !rows_.empty();
+    if (rows_.empty()) return false;
     const auto of_coordinates = take(coordinates_, of_coordinates_, "c");
     const bool finds = std::ranges::any_of(points_, [](const GamaPoint& p) {
         return p.plane == "unknown" || p.plane == "datum" || p.height == "unknown" || p.height == "datum";
     });
-    if (!reads || !finds) return false;
+    if (!finds) return false;
     for (const auto& [line, words] : left_out) proposals_.leave_out(line, words);
     for (const auto& [line, words] : parameters_.named) proposals_.leave_out(line, words);
     TableRows between(table_of(adjustment_model, "correlations"));
@@ -232,7 +241,7 @@ bool GamaNetwork::propose(const std::vector<GamaObserved>& observed,
     analysis.setup.values["points"] = points_table();
     analysis.setup.values["readings"] = readings_table();
     analysis.setup.values["sense"] = std::string(clockwise_ ? "y-to-x" : "x-to-y");
-    take_over(parameters_, analysis.setup, proposals_);
+    take_over(parameters_, least_u_of_angle_, analysis.setup, proposals_);
     if (!between.table().rows.empty()) analysis.setup.values["correlations"] = between.table();
     proposals_.found.push_back(tell<"a network of %1 points with %2 readings, which is adjusted">(
         std::get<SetupTable>(analysis.setup.values["points"]).rows.size(), rows_.size()));

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <map>
 #include <optional>
 #include <pugixml.hpp>
@@ -65,7 +66,8 @@ private:
     std::vector<Row> rows_;
     std::string axes_ = "ne";
     GamaParameters parameters_;
-    bool clockwise_ = false;  ///< angles grow from y towards x
+    double least_u_of_angle_ = std::numeric_limits<double>::infinity();  ///< in gon
+    bool clockwise_ = false;                                             ///< angles grow from y towards x
 };
 
 }  // namespace covaria

@@ -77,6 +77,14 @@ std::vector<double> moved_by(const AdjustedNetwork& network) {
     return moved;
 }
 
+/// The search left what determines the network; where it began nothing was open.
+bool was_determined(const AdjustedNetwork& begun) {
+    return !begun.readings.empty() &&
+           adjustment::Adjustment(design_of(begun, begun.state.data()), begun.whitening, begun.datum)
+                   .open()
+                   .cols() == 0;
+}
+
 /// Where least squares do not lead to a place of every point, they begin robustly once more.
 void adjust_from_start(AdjustedNetwork& network, bool robust, Problems& problems) {
     const Eigen::VectorXd start = network.state;
@@ -147,7 +155,7 @@ private:
         AdjustedNetwork begun = may_repeat ? *made : AdjustedNetwork();
         adjust_from_start(*made, stated_.robust, own);
         if (own.has_errors()) {
-            again_ = take_back() || leave_gross(begun) || leave_undetermined(*made);
+            again_ = take_back() || leave_undetermined(begun, *made) || leave_gross(begun);
             return {};
         }
         again_ = (is_gross(*made, stated_.gross_limit) && leave_gross(begun)) || leave_outliers(begun, *made);
@@ -176,8 +184,8 @@ private:
     }
 
     /// The point that the open directions move most, if they are not of the network as a whole.
-    bool leave_undetermined(const AdjustedNetwork& network) {
-        if (!stated_.leaves_undetermined || !network.unsolved) return false;
+    bool leave_undetermined(const AdjustedNetwork& begun, const AdjustedNetwork& network) {
+        if (!stated_.leaves_undetermined || !network.unsolved || was_determined(begun)) return false;
         const std::size_t n = network.points.size();
         const std::vector<double> moved = moved_by(network);
         const auto worst = std::ranges::max_element(moved);
@@ -195,15 +203,17 @@ private:
         return true;
     }
 
-    bool leave_gross(const AdjustedNetwork& begun) {
+    /// Approximate coordinates may be bad: what counts is where a robust adjustment leads from them.
+    bool leave_gross(AdjustedNetwork begun) {
         if (!stated_.gross_limit || begun.readings.empty()) return false;
+        start_robustly(begun);
         bool any = false;
         for (const AdjustedReading& r : begun.readings) {
             if (r.row == AdjustedReading::no_round) continue;
             const double offset = std::abs(offset_of(begun, r));
             if (!(offset > *stated_.gross_limit)) continue;
             leave_out(stated_, r.row,
-                      tell<"it misses the approximate coordinates by %1 m, more than %2 m">(
+                      tell<"it misses what the others agree on by %1 m, more than %2 m">(
                           Message::number(format_significant(offset, 3)),
                           Message::number(format_short(*stated_.gross_limit, 6))));
             any = true;

@@ -208,9 +208,8 @@ const Fields<StatedAdjustment>& adjustment_fields() {
                    correlation_columns(), {.optional = true})
             .section("What is left out")
             .add(&Stated::gross_limit, "gross_limit", "Gross readings beyond",
-                 "Readings that miss the adjusted places by more (of an angle: at its target) are looked for "
-                 "at the approximate coordinates, and those that miss these by more are left out; empty: "
-                 "none.",
+                 "Readings that miss what the others agree on (a robust adjustment) by more, an angle at its "
+                 "target, are left out; empty: none.",
                  {.unit = Unit::of("m"), .range = {.low = 0.0, .low_open = true}, .optional = true})
             .choice(&Stated::leaves_undetermined, "undetermined", "Points that nothing tells",
                     "They are refused, by name; or left out with their readings, and told.",
