@@ -178,7 +178,7 @@ TEST(Help, MistypedCommandsAndOptionsAreGuessed) {
         {{"validate", gauge, "--format", "pdf"}, "it is an option of 'run'"},
         {{"--langauge", "de"}, "did you mean '--language'"},
         {{"report", gauge, "--langage", "de"}, "'--language' is an option of 'covaria'"},
-        {{"validate", gauge, "--certifcate"}, "'--certificate' is an option of "},
+        {{"validate", gauge, "--adaptve"}, "'--adaptive' is an option of "},
         {{"run", gauge, "--qqqqqqqq"}, "\"covaria run --help\" lists its options"},
         {{"frobnicate"}, "covaria has no command 'frobnicate'"}};
     for (const auto& [words, said] : cases) {

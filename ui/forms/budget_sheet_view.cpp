@@ -6,6 +6,7 @@
 #include <QScrollBar>
 #include <algorithm>
 
+#include "ui/forms/budget_cell_delegate.h"
 #include "ui/forms/cell_delegate.h"
 #include "ui/models/budget_sheet_model.h"
 #include "ui/theme/typeset_views.h"
@@ -24,6 +25,7 @@ bool follows_from_statement(const QModelIndex& cell) {
 
 BudgetSheetView::BudgetSheetView(SpreadsheetModel& model, QWidget* parent)
     : SpreadsheetView(model, parent, RowRoom::stage), sheet_(model), frozen_(new QTableView(this)) {
+    setItemDelegate(new BudgetCellDelegate(this));
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     setHorizontalScrollMode(ScrollPerPixel);
     setVerticalScrollMode(ScrollPerPixel);

@@ -13,11 +13,42 @@ namespace covaria::ui {
 namespace {
 
 constexpr int narrowest_list = 10;  // letters
+constexpr int widest_field = 30;    // digits: the room of the narrowest inspector
 constexpr int widest_label = 12;    // digits, 96 px at the usual size: longer titles take a second line
 
 QString label_of(const std::string& title) {
     const Text text = title_text(core_words(title));
     return to_qt(text.has_scripts() ? to_html(text) : to_unicode(text));
+}
+
+/// The line or the list that is all that there is in the field; null: there is more, or something else.
+QWidget* only_editor(QWidget& field) {
+    QList<QWidget*> all = field.findChildren<QWidget*>(Qt::FindChildrenRecursively);
+    all.prepend(&field);
+    QWidget* only = nullptr;
+    for (QWidget* each : all) {
+        const bool is_part = qobject_cast<QComboBox*>(each->parentWidget()) != nullptr;
+        if (is_part || (!qobject_cast<QComboBox*>(each) && !qobject_cast<QLineEdit*>(each))) continue;
+        if (only) return nullptr;
+        only = each;
+    }
+    return only;
+}
+
+/// Of what it shows, as far as an inspector has it.
+int wanted_width(const QWidget& editor) {
+    const QFontMetrics metrics = editor.fontMetrics();
+    int text = 0, beside = 0;
+    if (const auto* box = qobject_cast<const QComboBox*>(&editor)) {
+        for (int i = 0; i < box->count(); ++i)
+            text = std::max(text, metrics.horizontalAdvance(box->itemText(i)));
+        beside = box->minimumSizeHint().width() -
+                 box->minimumContentsLength() * metrics.horizontalAdvance(QLatin1Char('X'));
+    } else if (const auto* line = qobject_cast<const QLineEdit*>(&editor)) {
+        text = metrics.horizontalAdvance(line->text());
+        beside = 2 * metrics.horizontalAdvance(QLatin1Char('0'));
+    }
+    return std::min(text + beside, widest_field * metrics.horizontalAdvance(QLatin1Char('0')));
 }
 
 }  // namespace
@@ -32,7 +63,9 @@ void wrap_label(QLabel& label) {
     const int most = widest_label * label.fontMetrics().horizontalAdvance(QLatin1Char('0'));
     if (!label.wordWrap() && label.sizeHint().width() <= most) return label.setFixedWidth(most);
     label.setWordWrap(true);
-    label.setFixedWidth(std::max(most, label.minimumSizeHint().width()));
+    const int width = std::max(most, label.minimumSizeHint().width());
+    label.setFixedWidth(width);
+    label.setMinimumHeight(label.heightForWidth(width));  // a form gives a row the height of its field
 }
 
 void wrap_labels(const QWidget& page) {
@@ -40,6 +73,16 @@ void wrap_labels(const QWidget& page) {
         for (int row = 0; row < form->rowCount(); ++row) {
             const QLayoutItem* item = form->itemAt(row, QFormLayout::LabelRole);
             if (auto* label = qobject_cast<QLabel*>(item ? item->widget() : nullptr)) wrap_label(*label);
+        }
+}
+
+void put_long_fields_below(const QWidget& page) {
+    for (const QFormLayout* form : page.findChildren<QFormLayout*>())
+        for (int row = 0; row < form->rowCount(); ++row) {
+            const QLayoutItem* item = form->itemAt(row, QFormLayout::FieldRole);
+            QWidget* field = item ? item->widget() : nullptr;
+            if (QWidget* only = field ? only_editor(*field) : nullptr)
+                only->setMinimumWidth(std::max(only->minimumWidth(), wanted_width(*only)));
         }
 }
 

@@ -16,6 +16,9 @@ void wrap_label(QLabel& label);
 /// All labels beside fields on the page.
 void wrap_labels(const QWidget& page);
 
+/// A list or a line that shows more than has room beside its label stands below it.
+void put_long_fields_below(const QWidget& page);
+
 /// First letter as at the beginning of a sentence: for words that come in lower case.
 QString as_label(const QString& words);
 

@@ -284,11 +284,14 @@ void SpreadsheetView::contextMenuEvent(QContextMenuEvent* event) {
 /// A whole table is copied with its heads, and without the row for new ones.
 void SpreadsheetView::copy() {
     QModelIndexList cells = selectedIndexes();
-    const auto all = qsizetype(model_.rowCount()) * model_.columnCount();
-    const bool whole = cells.size() > 1 && cells.size() == all;
-    if (whole) {
-        const int rows = filled_rows();
-        cells.removeIf([rows](const QModelIndex& cell) { return cell.row() >= rows; });
+    int columns = 0;
+    for (int column = 0; column < model_.columnCount(); ++column) columns += !isColumnHidden(column);
+    const bool whole = cells.size() > 1 && cells.size() == qsizetype(model_.rowCount()) * columns;
+    if (whole) {  // with what has no room in the view
+        cells.clear();
+        for (int row = 0; row < filled_rows(); ++row)
+            for (int column = 0; column < model_.columnCount(); ++column)
+                cells << model_.index(row, column);
     }
     QGuiApplication::clipboard()->setText(block_text(cells, whole));
 }

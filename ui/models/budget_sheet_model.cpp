@@ -42,7 +42,7 @@ constexpr std::array<SectionHead, BudgetSheetModel::sections> heads{{
     {QT_TR_NOOP("unit"), QT_TR_NOOP("Of the estimate, and of what is stated without a unit"), "unit",
      nullptr},
     {QT_TR_NOOP("stated as"), "", "statement", nullptr},
-    {QT_TR_NOOP("distribution"), QT_TR_NOOP("That Monte Carlo draws"), nullptr, "distribution"},
+    {QT_TR_NOOP("distr."), QT_TR_NOOP("Distribution that Monte Carlo draws"), nullptr, "distribution"},
     {QT_TR_NOOP("type"), QT_TR_NOOP("Type A or Type B evaluation (JCGM 100 2.3.2, 2.3.3)"), nullptr, "type"},
     {"nu", QT_TR_NOOP("Degrees of freedom; empty: infinite, or those of the observations"), "nu",
      "degrees of freedom"},
@@ -112,7 +112,12 @@ void BudgetSheetModel::set_result(std::shared_ptr<const UncertaintyResult> resul
     result_ = std::move(result);
     output_ = output;
     current_ = current;
-    if (!is_followed) figures_.follow(result_, output_, field_.key);
+    if (!is_followed) {
+        figures_.follow(result_, output_, field_.key);
+        largest_share_ = 0.0;
+        for (int row = 0; row < sheet_.rowCount(); ++row)
+            largest_share_ = std::max(largest_share_, share_of(static_cast<std::size_t>(row)));
+    }
     emit headerDataChanged(Qt::Horizontal, 0, sections - 1);
     emit dataChanged(index(0, 0), index(rowCount() - 1, sections - 1));
 }
@@ -243,6 +248,11 @@ QVariant BudgetSheetModel::stated_cell(int row, int role) const {
     return kind.data(role);
 }
 
+double BudgetSheetModel::share_of(std::size_t row) const {
+    if (!figures_.component(row)) return 0.0;
+    return std::abs(exact_number(figures_.table()[head_of(share).of_budget], row).value_or(0.0));
+}
+
 QVariant BudgetSheetModel::computed(int row, int section, int role) const {
     const auto at = static_cast<std::size_t>(row);
     if (role == Qt::ForegroundRole && !current_)
@@ -254,6 +264,12 @@ QVariant BudgetSheetModel::computed(int row, int section, int role) const {
     if (role == Qt::ToolTipRole && !sheet_.taken_words(row, column("statement")).isEmpty())
         return sheet_.taken_words(row, column("statement"));
     if (!figures_.component(at)) return {};
+    if (role == shape_role)
+        return section == distribution ? QVariant(to_qt(figures_.component(at)->distribution)) : QVariant();
+    if (role == fraction_role)
+        return section == share && largest_share_ > 0.0 ? QVariant(share_of(at) / largest_share_)
+                                                        : QVariant();
+    if (role == Qt::ToolTipRole && section == distribution) return computed(row, section, Qt::DisplayRole);
     if (section == estimate && row > 0 && symbol_of(row) == symbol_of(row - 1)) return {};  // it stands above
     const char* key = section == estimate ? "estimate" : head_of(section).of_budget;
     if (!key) return {};

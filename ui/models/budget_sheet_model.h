@@ -82,6 +82,8 @@ private:
     /// Of the set-up's table; -1: the section has none of its own.
     int column_of(int section) const;
     QVariant computed(int row, int section, int role) const;
+    /// As a part of the variance, without its sign.
+    double share_of(std::size_t row) const;
     QVariant of_sheet(int row, int section, int role) const;
     QVariant stated_cell(int row, int role) const;
     QString stated_words(int row, bool typeset) const;
@@ -118,6 +120,7 @@ private:
     SheetFigures figures_;  ///< what comes of the result shown
     std::shared_ptr<const UncertaintyResult> result_;
     std::size_t output_ = 0;
+    double largest_share_ = 0.0;  ///< of the rows, when the result came
     DisplayUnits units_;
     int digits_ = 2;
     bool current_ = true;

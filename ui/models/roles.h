@@ -25,6 +25,8 @@ enum Role : int {
     count_role,       ///< int: how many requirements are not met, or what is missing; 0: no number is shown
     met_role,         ///< bool: all that is required of an analysis is met
     icon_role,        ///< name of an icon: of the model of an analysis
+    shape_role,       ///< title of a distribution, in English
+    fraction_role,    ///< double, 0 to 1: of the largest share of a budget
 };
 
 }  // namespace covaria::ui

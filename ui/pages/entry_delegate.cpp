@@ -15,7 +15,7 @@ namespace {
 
 constexpr int beside_icons = 8, for_plus = 28;  // px at the left of icons, at the right of the title
 // px above and below a line of text together: rows of 36, 28 and 24 px at the usual size.
-constexpr int around_project = 20, around_category = 12, around_entry = 8;
+constexpr int around_project = 21, around_category = 13, around_entry = 9;
 
 QString category_icon(int category) {
     static const std::array<QString, ProjectTreeModel::category_count> names{

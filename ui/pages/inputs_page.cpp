@@ -104,12 +104,17 @@ void InputsPage::make_table() {
     connect(table_, &QWidget::customContextMenuRequested, this, &InputsPage::show_menu);
 }
 
-/// The room that is left, but its head.
+/// The room that is left; where that is less than its head they stand below the table only.
 void InputsPage::fit_components() {
     QHeaderView& head = *table_->horizontalHeader();
     constexpr int column = InputQuantitiesModel::components_column;
-    const int others = head.length() - head.sectionSize(column);
-    head.resizeSection(column, std::max(head.sectionSizeHint(column), table_->viewport()->width() - others));
+    int room = table_->viewport()->width();
+    for (int other = 0; other < head.count(); ++other)
+        if (other != column) room -= head.sectionSize(other);
+    head.showSection(column);  // a hidden one is not measured
+    const int least = head.sectionSizeHint(column);
+    head.setSectionHidden(column, room < least);
+    if (room >= least) head.resizeSection(column, room);
 }
 
 /// Of few quantities the table shows all; more are scrolled.

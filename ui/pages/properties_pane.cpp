@@ -94,6 +94,7 @@ void PropertiesPane::rebuild() {
     else
         add_hint();
     wrap_labels(*groups_);
+    put_long_fields_below(*groups_);
     area_ = scrolled(groups_);
     static_cast<QVBoxLayout*>(layout())->insertWidget(0, area_, 1);
     connect(groups_, &FoldGroups::opened, this, &PropertiesPane::start_help);

@@ -99,7 +99,6 @@ public:
             layout.points.push_back({.name = sheets::label_of(setup_.series[k]),
                                      .kind = PointKind::tool,
                                      .p_W = Eigen::Vector3d(x[i], x[i + 1], x[i + 2]),
-                                     .group = sheets::group_of(setup_.series[k]),
                                      .inputs = std::array<std::size_t, 3>{i, i + 1, i + 2}});
         }
         return layout;

@@ -51,6 +51,8 @@ private:
     }
     void read_label(const QLabel& label) {
         if (label.text().isEmpty()) return;
+        // The name that a user gave an entry, as in the tree.
+        if (label.objectName() == QLatin1String("inspector_title") && label.toolTip() == label.text()) return;
         if (qobject_cast<const ElidedLabel*>(&label))
             return say("label", label.text(),
                        label.fontMetrics().horizontalAdvance(label.text()) - label.contentsRect().width());

@@ -7,6 +7,7 @@
 
 #include "tests/ui/main_window/session_fixture.h"
 #include "ui/charts/chart_view.h"
+#include "ui/forms/bring_into_view.h"
 #include "ui/forms/target_box.h"
 #include "ui/pages/data_table_html.h"
 #include "ui/pages/design_tab.h"
@@ -27,6 +28,7 @@ protected:
         auto* button = in.findChild<QPushButton*>(QString::fromLatin1(name));
         ASSERT_NE(button, nullptr) << name;
         ASSERT_TRUE(button->isVisible() && button->isEnabled()) << name;
+        bring_into_view(*button);
         QTest::mouseClick(button, Qt::LeftButton);
     }
     const AnalysisEntry& analysis() const {

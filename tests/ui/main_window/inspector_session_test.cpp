@@ -98,7 +98,7 @@ TEST_F(InspectorSession, AWrongFieldLeavesTheLastAnswerFaintWithTheWayToTheField
     EXPECT_TRUE(wait_for([&] { return field<QLineEdit>("base_u_x")->hasFocus(); }));
     type_into("base_u_x", QStringLiteral("0.066 mm"));
     EXPECT_TRUE(wait_for([&] { return answer.value().graphicsEffect() == nullptr; }));
-    EXPECT_FALSE(window_->scene().view().property(is_faint).toBool());
+    EXPECT_TRUE(wait_for([&] { return !window_->scene().view().property(is_faint).toBool(); }));
 }
 
 TEST_F(InspectorSession, UndoGoesToTheEntryWhereTheStepWas) {
