@@ -26,8 +26,8 @@ public:
     QMenu* make_menu(QWidget* parent);
     QAction* pdf_action;
     QAction* certificate_action;
-    QAction* document_action;  ///< of the toolbar: the one of the document that is in view
-    /// The shortcut goes to what exports this document.
+    QAction* document_action;  ///< stands in the toolbar and exports the document in view
+    /// The shortcut goes to the action that exports this document.
     void follow_view(DocumentKind kind);
 
     void ask_report(ReportFormat format);

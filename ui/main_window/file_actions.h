@@ -33,7 +33,7 @@ public:
     void new_project();
     void open();
     void open_file(const QString& file);
-    /// As a new, unsaved project: the shipped file stays as it is.
+    /// Opens it as a new, unsaved project: the shipped file stays as it is.
     void open_example(const QString& file);
     bool save();
     bool save_as();

@@ -97,7 +97,7 @@ StepsTaken FirstStepsGuide::taken() const {
     return taken;
 }
 
-/// What was done stays done: a tab that was looked at may be left.
+/// Marks the steps that are taken now; done ones stay done, since a tab that was looked at may be left.
 void FirstStepsGuide::look() {
     if (dock_->isHidden()) return;
     const StepsTaken now = taken();

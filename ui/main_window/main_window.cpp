@@ -268,7 +268,7 @@ void MainWindow::make_view_menu() {
     project_actions_ << scene << menu->addMenu(&views_->menu());
 }
 
-/// As they stand, from the left.
+/// The panes as they stand, from the left.
 QList<QWidget*> MainWindow::panes() {
     const bool on_stage = results_->isVisible();
     QList<QWidget*> all{project_, on_stage ? results_->tabs().currentWidget() : pages_->currentWidget()};
@@ -290,7 +290,7 @@ void MainWindow::make_help_menu() {
 
 void MainWindow::connect_panes() {
     connect_middle();
-    // When the menu or the list that it was chosen from has given the keyboard back.
+    // Queued: first the menu or list from which it was chosen gives the keyboard back.
     connect(project_, &ProjectPane::entry_added, properties_, &PropertiesPane::go_to_first_field,
             Qt::QueuedConnection);
     connect(project_, &ProjectPane::library_wanted, this, &MainWindow::show_library);
@@ -494,7 +494,7 @@ void MainWindow::take_preferences() {
     files_.set_autosave(wanted.autosave_seconds);
     const bool other_numbers = wanted.numbers != numbers_;
     const bool other_font = !(std::exchange(font_, wanted.font) == wanted.font);
-    if (other_numbers || other_font) finish_typing();  // what was typed is of the form before
+    if (other_numbers || other_font) finish_typing();  // typed texts have the form from before
     if (other_numbers) {
         apply_number_form(numbers_ = wanted.numbers);
         setLocale(QLocale());
@@ -541,7 +541,7 @@ void MainWindow::show_project() {
     if (pages_->empty().isVisible()) pages_->empty().setFocus();
 }
 
-/// What the equations name has its rows there.
+/// Tab leads from the equations to the budget, where the quantities that they name have their rows.
 void MainWindow::lead_from_equations_to_budget() {
     const auto* equations = properties_->findChild<LinesEditor*>();
     if (equations) budget_->follow_in_tab_order(*equations->text_edit());

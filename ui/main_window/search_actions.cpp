@@ -26,7 +26,7 @@
 namespace covaria::ui {
 namespace {
 
-/// Of one analysis; a network of 1,000 targets has 90,000 quantities.
+/// Quantities of an analysis that can be searched; a network of 1,000 targets has 90,000.
 constexpr std::size_t most_quantities = 2000;
 
 QString without_mnemonic(QString text) {
@@ -47,7 +47,7 @@ std::vector<const HeadingBlock*> headings_of(const HelpPage& page) {
     return headings;
 }
 
-/// By their anchors, which are those of all languages; none where the window speaks English.
+/// English headings by their anchors, which all languages share; none where the window speaks English.
 std::map<std::string, QString> english_headings() {
     std::map<std::string, QString> headings;
     if (spoken_language() == QLatin1String("en")) return headings;

@@ -41,7 +41,7 @@ public:
     const TypesetLabel& coverage() const { return *coverage_; }
     const Chip& verdict() const { return *verdict_; }
     const QLabel& state() const { return *state_; }
-    /// What the button copies.
+    /// Text that the button copies.
     QString statements() const;
 
 signals:
@@ -68,7 +68,7 @@ private:
     DisplayUnits units_;
     int digits_ = 2;
     Answer answer_;
-    QString progress_;  ///< of its run
+    QString progress_;  ///< how far the analysis' run is
     TypesetLabel* value_;
     TypesetLabel* coverage_;
     Chip* verdict_;

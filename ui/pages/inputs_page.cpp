@@ -112,7 +112,7 @@ void InputsPage::fit_components() {
     head.resizeSection(column, std::max(head.sectionSizeHint(column), table_->viewport()->width() - others));
 }
 
-/// Of few quantities the table shows all; more are scrolled.
+/// Makes the table as high as its quantities if they are few; more are scrolled.
 void InputsPage::fit_height() {
     constexpr int fewest = 3, most = 10;
     const int rows = std::clamp(model_.rowCount(), fewest, most);

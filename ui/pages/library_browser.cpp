@@ -266,7 +266,7 @@ void LibraryBrowser::refresh_details() {
 void LibraryBrowser::take() {
     const Entry* entry = current();
     if (!entry) return;
-    const Entry taken = *entry;  // what follows may fill the lists anew
+    const Entry taken = *entry;  // a copy: a receiver may fill the lists anew
     if (!taken.example.isEmpty()) {
         accept();
         emit example_wanted(taken.example);

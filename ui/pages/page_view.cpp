@@ -10,7 +10,7 @@
 namespace covaria::ui {
 namespace {
 
-constexpr double screen_dots_per_inch = 96.0;  // of the unit of widgets, at a factor of 1
+constexpr double screen_dots_per_inch = 96.0;  // units of widgets per inch, at a factor of 1
 constexpr int page_gap = 16;
 constexpr int page_margin = 12;
 constexpr double least_scale = 0.1;
@@ -56,7 +56,7 @@ QSizeF PageView::page_size(int page) const {
     return pages_[std::size_t(page)].inches * screen_dots_per_inch * scale();
 }
 
-/// From the top of the first page's margin.
+/// Distance of a page from the top of the first page's margin.
 int PageView::top_of(int page) const {
     double top = page_margin;
     for (int above = 0; above < page; ++above) top += page_size(above).height() + page_gap;
@@ -180,7 +180,7 @@ void PageView::wheelEvent(QWheelEvent* event) {
     event->accept();
 }
 
-/// What a scroll area leaves to its bars: the ends, and the space bar of readers.
+/// Adds to the keys of a scroll area Home and End, and the space bar as in readers.
 void PageView::keyPressEvent(QKeyEvent* event) {
     QScrollBar* bar = verticalScrollBar();
     switch (event->key()) {

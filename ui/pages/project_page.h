@@ -1,5 +1,5 @@
-// What a project says of itself: title, notes, number, author, and how the results of all its analyses are
-// stated.
+// Statements about a project as a whole: title, notes, number, author, and how the results of all its
+// analyses are stated.
 #pragma once
 
 #include <QWidget>

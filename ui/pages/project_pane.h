@@ -25,7 +25,7 @@ public:
     /// Asked before something is deleted; the question names what depends on it.
     std::function<bool(const QString& question, const QString& action)> confirm;
 
-    /// Whether the scene shows what an asset has in it; empty: it has nothing there.
+    /// Whether the scene shows the parts of an asset; empty: it has none there.
     std::function<std::optional<bool>(const QString& asset)> is_in_scene;
 
     QAction* duplicate_action;
@@ -35,8 +35,8 @@ public:
     QMenu* make_add_menu(QWidget* parent);
 
     void add_asset(const std::string& kind);
-    /// Of the model's first template, so that it has results at once; empty where there is none, and where a
-    /// budget is typed.
+    /// Adds an analysis from the model's first template, so that it has results at once; an empty one where
+    /// there is no template, and where a budget is typed.
     void add_analysis(const std::string& model);
     void add_from_template(const AnalysisTemplate& wanted);
     void add_copy(const AssetEntry& asset);
@@ -45,7 +45,7 @@ public:
     /// Copies an asset into the user's library.
     void keep_in_library(const SetupAddress& address);
 
-    /// What can be done to an entry.
+    /// Adds the actions on an entry.
     void fill_menu(QMenu& menu, const SetupAddress& address);
 
 signals:

@@ -101,15 +101,15 @@ private:
     void refresh_charts();
     void show_chart(ChartView& view, PlotSpecification plot) const;
 
-    /// That the tables show; empty: all.
+    /// Group that the tables show; empty: all.
     QString shown_group() const;
 
     Document& document_;
     AnalysisRunner& runner_;
     Selection& selection_;
     PreferenceStore& preferences_;
-    ResultStyle shown_style_;  ///< of the project, that the tables have
-    int stated_digits_ = 0;    ///< by project or preferences
+    ResultStyle shown_style_;  ///< the project's style of results, which the tables have
+    int stated_digits_ = 0;    ///< stated by project or preferences
     ResultPointer result_;
     bool current_ = true;
     bool shortest_ = false;  ///< coverage intervals, else probabilistically symmetric ones

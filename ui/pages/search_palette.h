@@ -18,7 +18,7 @@ struct Findable {
     QString name;
     QString kind;  ///< "analysis", "field of Tracker" ...: shown beside the name, and searched too
     std::function<void()> go;
-    bool behind = false;   ///< what fits alike and is not goes first
+    bool behind = false;   ///< comes after what fits alike and is not behind
     QString english = {};  ///< its name there: searched in every language, and not shown
 };
 

@@ -18,7 +18,7 @@ public:
 
     /// Null: closed.
     QWidget* view() const { return view_; }
-    /// Of the tab behind which it stands or stood; null there is none.
+    /// Takes a view out of the tabs, and shows it here; the view shown before goes back to its tab.
     void show_view(QWidget* view);
     /// Its view goes back to its tab.
     void close_part();
@@ -29,7 +29,7 @@ public:
     QComboBox& list() { return *list_; }
 
 signals:
-    /// Which views are seen.
+    /// Other views are seen than before.
     void changed();
 
 private:
@@ -40,9 +40,9 @@ private:
     void replace_page(int tab, QWidget* page);
 
     QTabWidget& tabs_;
-    QWidget* gap_;  ///< in the place of the view that is here
+    QWidget* gap_;  ///< stands in the tabs for the view that is here
     QWidget* view_ = nullptr;
-    QWidget* main_ = nullptr;  ///< what the tabs showed last
+    QWidget* main_ = nullptr;  ///< the view that the tabs showed last
     QComboBox* list_;
     QVBoxLayout* room_;
 };

@@ -27,11 +27,11 @@ public:
     /// Further entries of the context menu, for a row of the model.
     std::function<void(QMenu& menu, int row)> extend_menu;
 
-    /// What is said below the numbers wherever they are copied or saved; empty: nothing.
+    /// Sets a remark, which stands below the numbers wherever they are copied or saved; empty: none.
     void set_remark(const QString& remark) { remark_ = remark; }
 
     void copy_selection();
-    /// What is shown, in the order shown: the text that a file of these columns has.
+    /// The columns shown, in the order shown, as the text of a CSV file.
     QString csv() const;
     void save_csv(const QString& file);
     /// Row of the model under the current row of the view; -1 = none.
@@ -63,8 +63,8 @@ private:
     QString name_, key_, remark_;
     const ColumnTableModel& model_;
     QStringList hidden_;
-    QMap<QString, QVariant> widths_;   ///< that the user gave
-    std::map<int, int> long_columns_;  ///< those that want more than they get by themselves, and how much
+    QMap<QString, QVariant> widths_;   ///< set by the user
+    std::map<int, int> long_columns_;  ///< columns that want more width than the limit, and how much
     QSortFilterProxyModel proxy_;
     bool selecting_ = false;
     bool fitting_ = false;

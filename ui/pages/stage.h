@@ -32,7 +32,7 @@ public:
     QToolButton& split_button() { return *split_; }
 
 signals:
-    /// Which views are seen.
+    /// Other views are seen than before.
     void changed();
 
 private:
@@ -46,7 +46,7 @@ private:
     QToolButton* split_;
     QWidget* first_ = nullptr;
     QWidget* alone_ = nullptr;  ///< has the whole stage
-    QWidget* usual_ = nullptr;  ///< of the second part
+    QWidget* usual_ = nullptr;  ///< the view that the second part usually shows
 };
 
 }  // namespace covaria::ui

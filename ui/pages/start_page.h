@@ -1,4 +1,4 @@
-// What the window shows without a project: five questions, recent projects, examples.
+// The window without a project: five questions, recent projects, examples.
 #pragma once
 
 #include <QStringList>

@@ -36,7 +36,7 @@ public:
     QString state_words() const;
     /// Anew, as it is and with numbers in the form of now.
     void show_study();
-    /// What the scene shows of it.
+    /// Choices about what the scene shows of the study.
     bool wants_ellipsoids() const { return ellipsoids_->isChecked(); }
     bool wants_slice() const { return only_slice_->isChecked(); }
 
