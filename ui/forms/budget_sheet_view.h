@@ -33,7 +33,7 @@ private:
     const SpreadsheetModel& sheet_;
     QTableView* frozen_;  ///< the first column over the others
     QAction* quantity_;
-    int rows_before_ = 0;  ///< what is typed was begun
+    int rows_before_ = 0;  ///< number of rows when the present edit began
 };
 
 }  // namespace covaria::ui

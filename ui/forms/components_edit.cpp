@@ -260,7 +260,7 @@ void ComponentsEdit::show_component() {
     const auto show_text = [](QLineEdit& edit, const QString& text) {
         if (edit.text() == text) return;
         edit.setText(text);
-        edit.setCursorPosition(0);  // of a long one the beginning is seen
+        edit.setCursorPosition(0);  // the beginning of a long one is in view
     };
     show_text(*name_, to_qt(shown.name));
     show_text(*origin_, to_qt(shown.origin));

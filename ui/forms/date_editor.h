@@ -36,8 +36,8 @@ private:
     UnreadTexts& unread_;
     TextPlace place_;
     QLineEdit* first_ = nullptr;
-    QLineEdit* last_ = nullptr;  ///< of an interval
-    QString value_;              ///< what the project has
+    QLineEdit* last_ = nullptr;  ///< the end of an interval
+    QString value_;              ///< the project's value
     QString reason_;             ///< why what is typed cannot be read
     QString complaint_, help_;
 };

@@ -11,7 +11,7 @@ namespace covaria::ui {
 
 /// A title that is a symbol is set as one; a long one is broken into lines.
 QLabel* make_form_label(const std::string& title, QWidget* parent);
-/// As wide as all labels of the inspector, but for a word that is wider; what is longer takes a second line.
+/// Gives it the width of all labels of the inspector, or of a wider word; a longer text takes a second line.
 void wrap_label(QLabel& label);
 /// All labels beside fields on the page.
 void wrap_labels(const QWidget& page);
@@ -21,12 +21,12 @@ QString as_label(const QString& words);
 
 /// A list in a form is as narrow as the form must be; opened it shows its entries whole.
 void may_be_narrow(QComboBox& box);
-/// In a bar it is as wide as its entries where there is room, and else narrower than in a form.
+/// A list in a bar is as wide as its entries where there is room, and else narrower than in a form.
 void narrow_if_need_be(QComboBox& box);
 
 /// Room for so many letters at least: a form that has less puts the field under its label.
 void keep_letters(QLineEdit& edit, int letters = 12);
-/// Likewise, and for all that it says: of a number that is cut off nobody sees the sign, or the size.
+/// Room for so many letters, and for the whole text: a number that is cut off hides its sign or its size.
 void keep_whole_text(QLineEdit& edit, int letters);
 /// Wide enough for what it says while it is empty.
 void keep_placeholder(QLineEdit& edit);

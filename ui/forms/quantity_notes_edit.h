@@ -1,4 +1,4 @@
-// What people write about one input quantity.
+// The notes that people write about one input quantity.
 #pragma once
 
 #include <QPlainTextEdit>

@@ -1,4 +1,4 @@
-// What goes into the report: analyses, chapters, long tables.
+// Contents of the report: analyses, chapters, long tables.
 #pragma once
 
 #include <QCheckBox>

@@ -347,7 +347,7 @@ void RequirementsForm::refresh_verdict() {
     verdict_->setText(words.join(QStringLiteral("<br>")));
 }
 
-// What it takes to meet the target needs trials: found by a worker, shown when it is there.
+// The reductions that would meet the target. They take trials: a worker finds them, and they are shown then.
 QString RequirementsForm::reductions(const AnalysisStatus& status, const RequirementResult& r) {
     if (r.meets_target) return {};
     const Sought sought{status.result, r.output, *r.target_uncertainty};

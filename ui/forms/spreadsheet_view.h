@@ -29,9 +29,9 @@ public:
 
     static constexpr int usual_rows = 12;  ///< longer tables scroll, unless their page has room to spare
     void set_most_rows(int rows);
-    /// With as many of its rows in view, if it has them.
+    /// The height with so many of its rows in view, if it has them.
     int height_with(int rows) const;
-    /// As high as its rows, up to a limit.
+    /// The height of all rows, up to a limit.
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
 

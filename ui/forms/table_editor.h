@@ -45,7 +45,7 @@ private:
     QWidget* tools_;             ///< keeps its height
     QPointer<QWidget> buttons_;  ///< in it, with the focus
     QLabel* note_;
-    QLabel* origin_;  ///< which file a linked table is read from
+    QLabel* origin_;  ///< names the file that a linked table is read from
     QPushButton* embed_;
     QPushButton* all_columns_;
     std::vector<std::vector<int>> numbered_;  ///< columns q_1, q_2 ... that rows need not have

@@ -28,7 +28,7 @@ signals:
 private:
     struct Row {
         QComboBox* box;
-        Unit unit;  ///< of the dimension
+        Unit unit;  ///< stands for its dimension
     };
     std::vector<Row> rows_;
     DisplayUnits others_;
