@@ -15,7 +15,7 @@ namespace covaria::ui {
 template <class Item>
 class InquiryList {
 public:
-    /// What people read, and the beginning of ids.
+    /// Words of undo steps and names, and the beginning of ids.
     struct Words {
         QString add, duplicate, remove, change;
         QString name;  ///< "Study %1"
@@ -27,7 +27,7 @@ public:
     const std::vector<Item>& of(const AnalysisEntry& analysis) const { return analysis.*list_; }
     /// Null when there is none.
     const Item* find(const Project& project, const std::string& analysis, const std::string& id) const;
-    /// With an id and a name of its own; returns the id.
+    /// Adds an item with an id and a name of its own; returns the id.
     std::string add(Document& document, const std::string& analysis, Item item) const;
     std::string duplicate(Document& document, const std::string& analysis, const std::string& id) const;
     void remove(Document& document, const std::string& analysis, const std::string& id) const;
@@ -45,7 +45,7 @@ private:
 const InquiryList<Study>& study_list();
 const InquiryList<Design>& design_list();
 
-/// What is offered first: it varies the first number that the analysis offers.
+/// The study offered first: it varies the first number that the analysis offers.
 Study new_study(const Project& project, const AnalysisEntry& analysis);
 /// The first number that can be chosen, besides those that are already: where an instrument stands before
 /// other numbers, and what was measured only where there is nothing else. Between half and one and a half

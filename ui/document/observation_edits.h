@@ -12,7 +12,7 @@ namespace covaria::ui {
 /// The table in which the set-up has them (FieldSpec::observes_quantities); null: it has none.
 const FieldSpec* observing_table(const Project& project, const SetupAddress& address);
 
-/// Of the series that is measured now, in the unit of the quantity.
+/// Observations of the series that is measured now, in the unit of the quantity.
 std::vector<double> observations_of(const Project& project, const SetupAddress& address,
                                     const std::string& symbol);
 /// Their weights, as many as values (a histogram: less the last); empty: they have none.

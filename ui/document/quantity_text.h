@@ -35,7 +35,7 @@ QString quantity_text(const Quantity& quantity, const QLocale& locale);
 
 /// The number in another unit of the same dimension, cleaned of the last digit's conversion noise.
 double converted(double value, const Unit& from, const Unit& to);
-/// Likewise a difference or an uncertainty: without the zero of degC.
+/// A difference or an uncertainty in another unit, without the zero of degC, cleaned likewise.
 double converted_interval(double value, const Unit& from, const Unit& to);
 
 }  // namespace covaria::ui

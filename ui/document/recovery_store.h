@@ -35,7 +35,7 @@ public:
     /// Removes what a kill leaves beside the entries: half-written files, locks and unreadable entries of
     /// windows that are gone.
     void remove_leftovers() const;
-    /// What windows that are gone left behind, newest first.
+    /// Entries that windows which are gone left behind, newest first.
     std::vector<RecoveryEntry> abandoned() const;
     static LoadedProject load(const RecoveryEntry& entry);
     static void remove(const QString& recovery_file);

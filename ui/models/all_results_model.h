@@ -47,7 +47,7 @@ private:
     bool is_wanted(const ShownAnalysis& analysis, std::size_t output) const;
     /// Their rows one below the other.
     Table joined(const std::vector<std::vector<std::size_t>>& outputs) const;
-    /// Where it is one of all.
+    /// The coverage probability that all analyses share; nullopt: they have several.
     std::optional<double> coverage_probability() const;
 
     std::vector<ShownAnalysis> analyses_;

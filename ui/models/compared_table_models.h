@@ -36,7 +36,7 @@ class ComparedBudgetModel : public ColumnTableModel {
 public:
     using ColumnTableModel::ColumnTableModel;
 
-    /// Of one of the outputs compared; null empties the table.
+    /// Shows the comparison of one output; null empties the table.
     void set_comparison(ComparisonPointer comparison, std::size_t output, bool current);
 };
 

@@ -65,9 +65,9 @@ private:
 
     Document& document_;
     std::shared_ptr<const PreparedAnalysis> analysis_;
-    Table table_;                        ///< of the quantities that are not linked, a row each
+    Table table_;                        ///< a row for each quantity that is not linked
     std::vector<std::size_t> own_;       ///< indices of the quantities that are not upstream's
-    std::vector<InputQuantity> linked_;  ///< as `analysis_->linked`
+    std::vector<InputQuantity> linked_;  ///< the quantities of `analysis_->linked`
 };
 
 }  // namespace covaria::ui

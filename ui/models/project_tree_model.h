@@ -39,7 +39,7 @@ public:
 
     /// "up to date", "out of date" ...
     static QString words(RunState state);
-    /// Of the requirements as they are now; empty where all that is required is met, or nothing is known.
+    /// Verdict on the requirements as they are now; empty where all of them are met, or nothing is known.
     static QString verdict_words(const AnalysisEntry& analysis, const AnalysisStatus& status);
 
 private:

@@ -24,8 +24,8 @@ struct FlowItem {
     double space_before = 0.0;  ///< dropped at the top of a page
     bool keep_with_next = false;
     PaintAt paint;
-    std::shared_ptr<const RepeatedHead> head = {};  ///< of the table the item is a row of
-    std::string heading = {};                       ///< that a reader may go to
+    std::shared_ptr<const RepeatedHead> head = {};  ///< head of the table that the item is a row of
+    std::string heading = {};                       ///< heading that a reader may go to
     int heading_level = 0;
     bool begins_page = false;
     std::optional<std::size_t> leads_to = {};  ///< number of the heading, of all in their order

@@ -38,7 +38,7 @@ public:
     /// Studies of the same project; they run when asked for.
     StudyRunner& studies() { return studies_; }
     const StudyRunner& studies() const { return studies_; }
-    /// Likewise designs.
+    /// Designs of the same project; they run when asked for.
     DesignRunner& designs() { return designs_; }
     const DesignRunner& designs() const { return designs_; }
     /// Results to compare later ones with.
@@ -54,7 +54,7 @@ public:
     void stop(const QString& id);
     void stop_all();
 
-    /// Of an analysis that does not exist: an empty status.
+    /// Status of an analysis; empty if it does not exist.
     const AnalysisStatus& status(const QString& id) const;
     /// The project that all this is about.
     const MadeProject::Pointer& made() const { return maker_.made(); }

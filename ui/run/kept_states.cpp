@@ -129,7 +129,7 @@ void KeptStates::stop() {
 }
 
 RunQueue::Run KeptStates::begin_run(const RunKey& key) {
-    if (runner_.is_computing()) return {};  // what is edited comes first
+    if (runner_.is_computing()) return {};  // present edits come first
     const KeptResult* kept = find(to_qt(key.analysis));
     const ProjectSnapshot project = kept && !kept->result ? kept->state.project : nullptr;
     const std::string compared = kept ? kept->state.compared() : std::string();

@@ -1,4 +1,4 @@
-// What the runner calls in its worker threads: the core, or something scripted in tests.
+// The computations that the runner calls in its worker threads: the core, or something scripted in tests.
 #pragma once
 
 #include <functional>

@@ -51,7 +51,7 @@ SetEquations set_in_columns(const std::vector<ModelEquation>& equations, const Q
     return made;
 }
 
-/// At the wanted size, or smaller if they do not fit into the room.
+/// Sets equations at the wanted size, or smaller if they do not fit into the room.
 SetEquations fitted(const std::vector<ModelEquation>& equations, QFont font, QSizeF room) {
     SetEquations made;
     for (const double size : {16.0, 14.0, 12.0, 10.5, 9.0, 8.0, 7.0}) {

@@ -25,7 +25,7 @@ namespace covaria::ui {
 namespace {
 
 constexpr qint64 least_pause_between_moves = 25;  // ms
-constexpr double reach_of_dot = 8.0;              // of a cloud
+constexpr double reach_of_dot = 8.0;              // around a dot of a cloud
 constexpr double reach_of_pointer = 14.0;         // pixels around an item in which it can be grasped
 constexpr double reach_of_arrow = 6.0;
 constexpr double zoom_per_key = 1.15;
@@ -297,7 +297,7 @@ std::optional<std::string> SceneView::place_under(QPointF position) const {
         reach_of_pointer * devicePixelRatioF());
 }
 
-/// Not where the point of the cloud itself is meant.
+/// The trial whose dot is under the pointer; none where the pointer is at the point of the cloud itself.
 std::optional<std::uint64_t> SceneView::trial_under(QPointF position) const {
     if (!scene_ || image_.isNull() || picks_places_) return std::nullopt;
     const Pixel pixel = pixel_at(position);
@@ -425,7 +425,7 @@ void SceneView::mouseReleaseEvent(QMouseEvent* event) {
         service_.pick(at.x(), at.y());
     }
     if (moved_ && dragged_) {
-        // Where it has been already it is: the picture may have changed under a hand that rests.
+        // Not brought to the same place again: the picture may have changed under a hand that rests.
         if (brought_to_ != event->position()) bring_item_to(event->position(), event->modifiers());
         emit drag_finished();
         emit item_picked(selected_);  // its values stand in the form, to be typed

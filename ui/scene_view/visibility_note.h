@@ -1,4 +1,4 @@
-// What the scene says while something of it is hidden.
+// The note on the scene while something of it is hidden.
 #pragma once
 
 #include <QString>

@@ -1,4 +1,4 @@
-// What the style draws by itself, in the tokens of the theme.
+// Parts that the style draws by itself, in the tokens of the theme.
 #pragma once
 
 #include <QStyle>

@@ -40,7 +40,7 @@ public:
     FoldHead* head(int group) const { return at(group).head; }
     bool is_open(int group) const;
     void open(int group);
-    /// Unless the user has folded it.
+    /// Opens the group unless the user has folded it.
     void offer(int group);
     /// A group that is not used is hidden with its head.
     void set_shown(int group, bool shown);

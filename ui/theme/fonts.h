@@ -8,7 +8,7 @@
 
 namespace covaria::ui {
 
-/// Of the window.
+/// The user's choice of the window's font.
 struct FontChoice {
     QString family = {};  ///< empty: ours
     int points = 0;       ///< 0: the desktop's
@@ -29,11 +29,11 @@ QFont application_font(const FontChoice& chosen = {});
 /// units and captions. The first two are semibold.
 enum class TextSize { answer, title, text, small };
 QFont sized(QFont font, TextSize size);
-/// Of formulae beside that text: a serif, as much larger as its small letters are lower.
+/// Font of formulae beside that text: a serif, as much larger as its small letters are lower.
 QFont formula_font(QFont font);
-/// Likewise of the symbol of a quantity in running text: italic.
+/// Font of the symbol of a quantity in running text: that serif in italics.
 QFont symbol_font(QFont font);
-/// Same size and weight, with figures of equal width: numbers in tables, ticks, read-outs.
+/// The font with figures of equal width: for numbers in tables, ticks, read-outs.
 QFont with_tabular_figures(QFont font);
 
 }  // namespace covaria::ui

@@ -1,4 +1,4 @@
-// What an output is called where one is chosen: "x, TCP".
+// The name of an output where one is chosen: "x, TCP".
 #pragma once
 
 #include <string>

@@ -50,7 +50,7 @@ bool Style::draw_label(ControlElement element, const QStyleOption& option, QPain
         box && element == CE_ComboBoxLabel && !box->editable) {
         QStyleOptionComboBox shown = *box;
         const int beside =
-            box->currentIcon.isNull() ? 2 : box->iconSize.width() + 6;  // as the base style leaves
+            box->currentIcon.isNull() ? 2 : box->iconSize.width() + 6;  // px, as in the base style
         const int room = subControlRect(CC_ComboBox, box, SC_ComboBoxEditField, widget).width() - beside;
         shown.currentText = box->fontMetrics.elidedText(box->currentText, Qt::ElideRight, room);
         QProxyStyle::drawControl(element, &shown, &painter, widget);
