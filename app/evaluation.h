@@ -11,7 +11,7 @@
 
 namespace covaria {
 
-/// What the command line changes about a project's analyses.
+/// Changes that the command line makes to a project's analyses.
 struct RunRequest {
     std::string file;
     std::vector<std::string> analyses = {};  ///< ids; empty = all
@@ -42,17 +42,17 @@ Result<Problems> errors_of_project(const std::string& file, const std::vector<st
 /// Warns of what a certificate must say and the project does not.
 void say_what_is_missing(const ReportSource& source);
 
-/// Where the units of analyses and studies are shared with other processes.
+/// The stores through which other processes share the units of analyses and studies.
 class UnitStores {
 public:
     virtual ~UnitStores() = default;
-    /// Of the trials of an analysis (`study` empty) or of the points of its study.
+    /// Store of the trials of an analysis (`study` empty) or of the points of its study.
     virtual UnitStore* of(const std::string& analysis, const std::string& study) = 0;
 };
 
-/// What was evaluated, and what has no results.
+/// Analyses with their results, and those that failed.
 struct Evaluation {
-    MadeProject::Pointer made;  ///< with what the request changes: what was evaluated
+    MadeProject::Pointer made;  ///< the project that was evaluated, with the changes of the request
     std::vector<EvaluatedAnalysis> analyses;
     std::vector<FailedAnalysis> failed;
 };

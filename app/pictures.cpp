@@ -21,7 +21,7 @@
 namespace covaria {
 namespace {
 
-/// Of the pictures of a run.
+/// Views of the first group of an analysis in the pictures of a run.
 const std::vector<std::string> views = {"iso", "top", "front", "right"};
 
 std::string joined(const auto& words) {
@@ -192,7 +192,7 @@ Result<void> write_pictures(const std::filesystem::path& folder,
     const std::vector<LayoutMesh> context = context_meshes(made);
     std::unique_ptr<QApplication> application;
     SceneRenderer renderer;
-    const PlannedPicture* drawn = nullptr;  // whose scene the renderer has
+    const PlannedPicture* drawn = nullptr;  // the renderer has its scene
     for (const PlannedPicture& picture : pictures) {
         if (stop.stop_requested()) return fail(ErrorCode::cancelled, "stopped while drawing pictures");
         const EvaluatedAnalysis& evaluated = analyses[picture.analysis];

@@ -1,4 +1,4 @@
-// What `covaria run` and `covaria merge` write: result files, and on request report, certificate, pictures.
+// Output of `covaria run` and `covaria merge`: result files, and on request report, certificate, pictures.
 #pragma once
 
 #include <stop_token>
@@ -18,7 +18,7 @@ struct RunOutputs {
     bool report = false;
     bool certificate = false;
     bool pictures = false;
-    std::vector<std::string> formats = {};  ///< of report and certificate: "pdf"; empty = all
+    std::vector<std::string> formats = {};  ///< formats of report and certificate: "pdf"; empty = all
 };
 
 /// Adds --out, --report, --certificate, --pictures. `outputs` must outlive the parser.

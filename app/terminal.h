@@ -1,4 +1,4 @@
-// What the command line says to people: messages and progress on stderr, never on stdout.
+// Messages and progress of the command line for people, on stderr, never on stdout.
 #pragma once
 
 #include <functional>

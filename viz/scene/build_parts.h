@@ -16,13 +16,13 @@ struct VectorTip {
     SceneItem item;
 };
 
-/// What all parts share.
+/// The inputs and the scene that all parts of a build share.
 struct SceneBuild {
     const SceneSource& source;
     const SceneOptions& options;
     const PointUncertainties& uncertainties;
     const PointUncertainties&
-        before;  ///< of the results that are compared with; of none where there are none
+        before;  ///< uncertainties in the results that are compared with; of none where there are none
     Scene& scene;
     std::set<std::string> ids = {};
     std::vector<VectorTip> tips = {};
@@ -47,9 +47,9 @@ void add_axes(Scene& scene);
 double magnification_of(const SceneOptions& options, double automatic);
 /// "ellipsoids 95 %, × 4 000".
 std::string magnified_ellipsoids_words(const Scene& scene, const SceneOptions& options);
-/// That not all points show their uncertainty, where that is so.
+/// Adds a note that not all points show their uncertainty, where that is so.
 void note_what_is_drawn(Scene& scene, std::size_t drawn, std::size_t all, const DocumentLanguage& in);
-/// Of a colour bar, at round numbers.
+/// Ticks of a colour bar, at round numbers.
 std::vector<AxisTick> colour_ticks(const SceneMap& map, const NumberLocale& numbers);
 void add_legend(SceneBuild& build);
 

@@ -1,4 +1,4 @@
-// What of a scene can be grasped with the mouse to move or to turn it, and where it goes.
+// The handles by which the mouse moves and turns things of a scene, and the places where they go.
 #pragma once
 
 #include <functional>
@@ -15,13 +15,13 @@ namespace covaria {
 /// where its field is a pose.
 struct Handle {
     SceneItem item;
-    std::optional<SceneFrame> frame = {};  ///< to turn: its axes
+    std::optional<SceneFrame> frame = {};  ///< has axes by whose tips it turns; empty: it is moved
     int tip = 0;                           ///< the axis whose tip is grasped: 0 x, 1 y, 2 z
-    int axis = -1;                         ///< of its field, along which alone it moves; -1: it moves freely
+    int axis = -1;                         ///< field's axis along which alone it moves; -1: it moves freely
     bool turns() const { return frame.has_value(); }
 };
 
-/// What shows that an item can be grasped: arrows along the axes of its field, and the tips of its own axes
+/// The marks on an item that can be grasped: arrows along the axes of its field, and the tips of its own axes
 /// that turn it.
 struct HandleMarks {
     struct Arrow {
@@ -35,10 +35,10 @@ struct HandleMarks {
 /// nobody can write.
 HandleMarks handle_marks(const Scene& scene, const Camera& camera, PictureSize size, const std::string& item,
                          double length);
-/// To move the item along the arrow that is at the pixel.
+/// The handle that moves the item along the arrow at the pixel.
 std::optional<Handle> arrow_at(const Scene& scene, const Camera& camera, PictureSize size, Pixel pixel,
                                const std::string& item, double length, double reach);
-/// Where the item of an arrow goes, in W, when the pointer goes from one pixel to another.
+/// New place, in W, of an arrow's item when the pointer goes from one pixel to another.
 Eigen::Vector3d moved_along(const Handle& arrow, const Camera& camera, PictureSize size, Pixel from,
                             Pixel to);
 

@@ -21,7 +21,7 @@ public:
         return {at.x - pixel_.x, at.y - pixel_.y};
     }
     double depth(const Eigen::Vector3d& p) const { return (p - camera_.focal_point).dot(camera_.direction); }
-    /// Of a length at a place.
+    /// Pixels of a length at a place.
     double pixels(double metres, const Eigen::Vector3d& p) const {
         return metres / metres_per_pixel(camera_, size_, p);
     }
@@ -42,7 +42,7 @@ private:
     Ray ray_;
 };
 
-/// Of the best rank what the pixel lies on or least beside, then what is nearest to the eye.
+/// Keeps the item of the best rank that the pixel lies on or least beside, then the one nearest to the eye.
 class Best {
 public:
     /// `aside`: pixels from the pixel to what is drawn of the item.

@@ -290,7 +290,7 @@ std::vector<Solid> solids_of_points(const Scene& scene) {
 }
 
 double lowest_of(const Scene& scene) {
-    constexpr double below_head = 0.76;  // of an instrument's size: its base and what carries it
+    constexpr double below_head = 0.76;  // part of an instrument's size: its base and what carries it
     double lowest = std::numeric_limits<double>::infinity();
     for (const SceneBody& body : scene.bodies) {
         if (body.outline.empty()) lowest = std::min(lowest, body.item.position.z() - below_head * body.size);

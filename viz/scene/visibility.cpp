@@ -44,7 +44,7 @@ bool explains(const LegendLine& line, const Scene& scene) {
             return !scene.vectors.empty();
         case LegendMark::diamond:
             return !scene.not_met.empty();
-        case LegendMark::none:  // of the uncertainty of what is too small, or of the whole
+        case LegendMark::none:  // a line on uncertainty that is too small to see, or on the whole
             return line.role == Role::quiet_text || std::ranges::any_of(scene.ellipsoids, is_role) ||
                    std::ranges::any_of(scene.ellipsoids_before, is_role) ||
                    std::ranges::any_of(scene.clouds, is_role);
@@ -85,7 +85,7 @@ Scene visible_part(Scene scene, const Visibility& visibility) {
     if (visibility.shows_all()) return scene;
     const Filter filter(scene, visibility);
     const std::vector<Eigen::Vector3d> hidden = places_of_hidden(scene, visibility);
-    std::set<std::string> shown, places;  // of bodies
+    std::set<std::string> shown, places;  // ids of the items that remain, and of the places of bodies
     for (const ScenePoint& point : scene.points)
         if (is_its_body(point.item, find_item(scene, point.item.body))) places.insert(point.item.id);
     const auto keep = [&](auto& items, bool goes_along) {

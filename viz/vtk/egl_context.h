@@ -5,7 +5,7 @@
 
 namespace covaria::detail {
 
-/// Not current in any thread except between the life of a `CurrentContext`.
+/// An OpenGL context of EGL. It is current in no thread except during the life of a `CurrentContext`.
 class EglContext {
 public:
     EglContext() = default;

@@ -32,7 +32,7 @@ Overlay::Overlay(const Scene& scene, const OverlayView& view, Image& image, Text
 }
 
 void Overlay::paint() {
-    // What has its place in a corner comes first, as far as room is concerned: the words along the axes and
+    // Words with a fixed place in a corner claim their room first: the words along the axes and
     // the labels go round it. It is painted after the lines that it covers.
     const std::vector<HeadLine> head =
         head_lines(scene_, view_.layers, view_.ratio, canvas_.size().width, masks_);
@@ -83,7 +83,7 @@ bool Overlay::has_room(const ScreenRect& rect) const {
 }
 
 void Overlay::paint_head(const std::vector<HeadLine>& lines) {
-    // Where the scene reaches under the legend, it steps back.
+    // The legend has a ground, so that the scene steps back where it reaches under it.
     const ScreenRect ground = legend_ground(lines, view_.ratio, masks_);
     if (ground.width > 0.0) canvas_.rectangle(ground, ground_colour(view_.palette), ground_opacity);
     for (const HeadLine& line : lines) {
@@ -183,7 +183,7 @@ void Overlay::paint_scale_bar() {
     const TextMask& mask = mask_of(word);
     const double right = canvas_.size().width - px(margin), height = mask.letters.height + px(14);
     double y = canvas_.size().height - view_.covered - px(margin);
-    // In a narrow picture it stands above the caption.
+    // A narrow picture has it above the caption.
     const auto is_clear = [&] {
         return is_free({right - length - px(3), y - height, length + px(6), height});
     };

@@ -25,7 +25,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 constexpr int steps_round = 40, steps_round_coarse = 16;
-constexpr int steps_edge = 4;  // of a rounded edge
+constexpr int steps_edge = 4;  // steps of a rounded edge
 constexpr double sharp =
     0.64;  // cosine between neighbouring sides of a prism, below which their edge is seen
 
