@@ -99,7 +99,7 @@ TEST(JsonSchema, HasTheKeysThatAreWritten) {
         for (const auto& [key, field] : definitions()[name]["properties"].items())
             EXPECT_TRUE(field.contains("description") || field.contains("$ref")) << name << "/" << key;
     }
-    // What is read is what was written: a key that the reader does not know is a problem.
+    // The reader knows every key that was written: an unknown one is a problem.
     const LoadedProject again = parse_project(project_text(project), {}, "full");
     for (const Problem& p : again.problems.items())
         EXPECT_EQ(p.message.english().find("there is no '"), std::string::npos)

@@ -158,7 +158,7 @@ TEST_F(KeyboardSession, ATabThatIsClickedHasTheKeyboard) {
     EXPECT_EQ(tabs.currentIndex(), 2);
 }
 
-/// With its heads, and without the row for new ones; what is pasted back is the same budget.
+/// The copy has the heads, and no row for new ones; pasted back it is the same budget.
 TEST_F(KeyboardSession, AWholeBudgetIsCopiedWithItsHeads) {
     open_h1();
     auto* budget = window_->scene().findChild<BudgetSheetView*>();
