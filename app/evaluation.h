@@ -35,7 +35,7 @@ struct RunRequest {
 Result<MadeProject::Pointer> open_project(const std::string& file,
                                           const std::vector<std::string>& values = {},
                                           const std::vector<std::string>& analyses = {});
-/// The errors that `open_project` would stop at, without a word.
+/// The errors at which `open_project` would stop, none of them printed.
 Result<Problems> errors_of_project(const std::string& file, const std::vector<std::string>& values,
                                    const std::vector<std::string>& analyses);
 
@@ -65,9 +65,9 @@ Result<Evaluation> evaluate_analyses(const MadeProject::Pointer& opened, const R
 /// without one of them, one that fails.
 Result<void> compare_with(const std::string& file, RunRequest request, Evaluation& evaluation,
                           const std::stop_token& stop);
-/// The project as this request evaluates it.
+/// The project with the changes of this request.
 MadeProject::Pointer requested(const MadeProject::Pointer& opened, const RunRequest& request);
-/// Error{not_found}: an analysis that the project has not.
+/// Ids of the requested analyses. Error{not_found}: an analysis that the project has not.
 Result<std::vector<std::string>> requested_analyses(const Project& project, const RunRequest& request);
 /// Error{numeric} that names what failed, if anything did: the command ends with status 1.
 Result<void> check_complete(const Evaluation& evaluation);

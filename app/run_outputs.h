@@ -24,7 +24,7 @@ struct RunOutputs {
 /// Adds --out, --report, --certificate, --pictures. `outputs` must outlive the parser.
 void add_output_options(CLI::App& command, RunOutputs& outputs);
 
-/// Into the folder, which exists. `chosen`: only some analyses were asked for.
+/// Writes into the folder, which exists. `chosen`: only some analyses were asked for.
 Result<void> write_run_outputs(const RunOutputs& outputs, const MadeProject& opened,
                                const Evaluation& evaluation, bool chosen, const std::stop_token& stop);
 

@@ -10,7 +10,7 @@ namespace covaria {
 
 std::string description_of(const ModelDescriptor& model);
 std::string description_of(const AssetDescriptor& asset);
-/// Lines of at most 100 characters, each behind the indent.
+/// Writes lines of at most 100 characters, each behind the indent.
 void write_wrapped(std::ostringstream& out, const std::string& text, const std::string& indent);
 /// Lists what the axes of a study can vary.
 std::string study_targets_text();

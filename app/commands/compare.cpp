@@ -57,7 +57,7 @@ std::vector<std::string> analysis_ids(const Project& project) {
     return all;
 }
 
-/// Those that were chosen; else those of the same id; else the only ones.
+/// Pairs of analyses: the chosen ones; else those of the same id; else the only ones.
 Result<ComparePlan> plan_of(const CompareArguments& arguments, const Project& before, const Project& after) {
     ComparePlan plan;
     if (!arguments.analyses.empty()) {

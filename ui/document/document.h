@@ -59,7 +59,7 @@ public:
     const QString& file() const { return file_; }  ///< empty: never saved
     /// The file's name without folder and ending, or the title, or "Untitled".
     QString display_name() const;
-    /// The same, and the report that the project was taken out of, until it is saved.
+    /// The display name, and the report that the project was taken out of, until it is saved.
     QString heading() const;
 
     /// Another project takes the place of this one; history and file are forgotten.
@@ -78,7 +78,7 @@ public:
     /// CSV files the project refers to are copied beside the new file where they are not there yet.
     Result<void> save_as(const QString& file);
 
-    /// Those of the project and the texts that cannot be read.
+    /// Problems of the project and of the texts that cannot be read.
     const Problems& problems() const { return problems_; }
     /// Texts typed into fields and cells that cannot be read: not part of the project.
     UnreadTexts& unread() { return unread_; }

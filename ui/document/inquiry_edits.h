@@ -52,7 +52,7 @@ Study new_study(const Project& project, const AnalysisEntry& analysis);
 /// times its present value or as far as makes sense. None: there is no further number.
 std::optional<DesignVariable> next_variable(const Project& project, const AnalysisEntry& analysis,
                                             const std::vector<DesignVariable>& before);
-/// It chooses the first of those.
+/// A design that chooses the first of those variables.
 Design new_design(const Project& project, const AnalysisEntry& analysis);
 
 }  // namespace covaria::ui

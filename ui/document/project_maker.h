@@ -33,7 +33,7 @@ public:
     /// Another project is to come: nothing of the former is made or delivered any more.
     void forget();
 
-    /// The newest that is made; null before the first.
+    /// The newest project that is made; null before the first.
     const MadeProject::Pointer& made() const { return made_; }
     /// Problems of `made()`.
     const Problems& problems() const { return problems_; }

@@ -27,7 +27,7 @@ void set_quantity_notes(Document& document, const std::string& analysis, const s
 /// The link that a quantity takes its value from; empty: it has its own.
 std::optional<InputLink> find_link(const Project& project, const std::string& analysis,
                                    const std::string& symbol);
-/// Takes the place of the quantity's link and of its edits, which have no effect beside one.
+/// Replaces the quantity's link and its edits, which have no effect beside one.
 void set_link(Document& document, const std::string& analysis, const std::string& symbol,
               const std::optional<InputLink>& link);
 

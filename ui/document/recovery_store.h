@@ -25,7 +25,7 @@ public:
     const QString& folder() const { return folder_; }
     /// Name for the recovery file of a window that starts now.
     QString new_name() const;
-    /// Whoever holds this lock file is alive: the entry is not offered to others.
+    /// The lock file that a living window holds: its entry is not offered to others.
     static QString lock_of(const QString& recovery_file) { return recovery_file + ".lock"; }
 
     /// Safe to call from a worker thread.

@@ -33,7 +33,7 @@ public:
     void select_study(const QString& study);
     void select_design(const QString& design);
     void clear();
-    /// An analysis that the project no longer has: its results and scene would stand for ever.
+    /// Leaves an analysis that the project no longer has: its results and scene would stand for ever.
     void leave_what_is_gone(const Project& project);
 
 signals:

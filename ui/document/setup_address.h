@@ -22,7 +22,7 @@ struct SetupAddress {
 
 /// Address of the title, notes, certificate and report of the project.
 inline const SetupAddress project_address{SetupOwner::project, {}};
-/// The entry is there; so is the project, always.
+/// Whether the entry is there; the project always is.
 bool exists(const Project& project, const SetupAddress& address);
 
 /// Null when the entry is gone.

@@ -39,12 +39,12 @@ public:
     using QObject::QObject;
     using Texts = std::map<TextPlace, UnreadText>;
 
-    /// Null when what stands there was read.
+    /// The text at this place; null when it was read.
     const UnreadText* find(const TextPlace& place) const;
     void set(const TextPlace& place, UnreadText text);
     void remove(const TextPlace& place);
     void clear();
-    /// Those at places of the entry that begin with `part`.
+    /// Texts at places of the entry that begin with `part`.
     Texts under(const SetupAddress& entry, const std::string& part) const;
     void replace_under(const SetupAddress& entry, const std::string& part, Texts texts);
     const Texts& all() const { return texts_; }

@@ -14,7 +14,7 @@ public:
     QAction* quantity_action() const { return quantity_; }
 
 signals:
-    /// Its page is wanted: by the menu, the key, or a double click on what is computed.
+    /// The page of a quantity is wanted: by the menu, the key, or a double click on a computed cell.
     void quantity_asked(int row);
 
 protected:

@@ -103,7 +103,7 @@ void ComponentsEdit::set_quantity(std::shared_ptr<const PreparedAnalysis> analys
     refresh();
 }
 
-/// Those that no other quantity has.
+/// Components that no other quantity has.
 std::vector<const UncertaintyComponent*> ComponentsEdit::own_components() const {
     std::vector<const UncertaintyComponent*> found;
     const InputSet& inputs = analysis_->inputs;

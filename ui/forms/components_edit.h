@@ -26,7 +26,7 @@ public:
 
     void add_component();
     void remove_component();
-    /// Back to what the model says.
+    /// Gives the quantity back the components of the model.
     void reset();
 
 private:

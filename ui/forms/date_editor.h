@@ -9,7 +9,7 @@
 
 namespace covaria::ui {
 
-/// "2026-04-17", "17.4.2026", "20260417".
+/// Reads "2026-04-17", "17.4.2026", "20260417".
 std::optional<QDate> read_date(const QString& text);
 
 /// A value is an ISO 8601 date, or two of them with '/' between them. What cannot be read stays in the field

@@ -13,10 +13,10 @@ namespace covaria::ui {
 QLabel* make_form_label(const std::string& title, QWidget* parent);
 /// Gives it the width of all labels of the inspector, or of a wider word; a longer text takes a second line.
 void wrap_label(QLabel& label);
-/// All labels beside fields on the page.
+/// Wraps all labels beside fields on the page.
 void wrap_labels(const QWidget& page);
 
-/// First letter as at the beginning of a sentence: for words that come in lower case.
+/// The words with a first letter as at the beginning of a sentence; they come in lower case.
 QString as_label(const QString& words);
 
 /// A list in a form is as narrow as the form must be; opened it shows its entries whole.
@@ -24,11 +24,11 @@ void may_be_narrow(QComboBox& box);
 /// A list in a bar is as wide as its entries where there is room, and else narrower than in a form.
 void narrow_if_need_be(QComboBox& box);
 
-/// Room for so many letters at least: a form that has less puts the field under its label.
+/// Keeps room for so many letters at least: a form that has less puts the field under its label.
 void keep_letters(QLineEdit& edit, int letters = 12);
-/// Room for so many letters, and for the whole text: a number that is cut off hides its sign or its size.
+/// Keeps room for so many letters, and for the whole text: cut off, a number hides its sign or its size.
 void keep_whole_text(QLineEdit& edit, int letters);
-/// Wide enough for what it says while it is empty.
+/// Keeps room for the text that it shows while it is empty.
 void keep_placeholder(QLineEdit& edit);
 
 /// Gives all labels of the form the same least width, so that forms under each other line up.

@@ -140,7 +140,7 @@ void ImportDialog::make_layout() {
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
 }
 
-/// Those that recognise the file first; none is chosen where several do.
+/// Lists readers that recognise the file first; none is chosen where several do.
 void ImportDialog::offer_readers() {
     const RecognisedReaders found = recognise_reader(text_, to_std(QFileInfo(file_).fileName()));
     readers_->addItem(found.readers.empty() ? tr("no reader recognises it: choose one")

@@ -12,7 +12,7 @@ class QuantityNotesEdit : public QPlainTextEdit {
     Q_OBJECT
 public:
     QuantityNotesEdit(Document& document, std::string analysis, QWidget* parent = nullptr);
-    /// Empty: of none.
+    /// Empty: no quantity.
     void set_quantity(const std::string& symbol);
 
 private:

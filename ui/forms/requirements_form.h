@@ -29,7 +29,7 @@ public:
     ~RequirementsForm() override;
     /// Sets the units in which results are shown, and in which a number without a unit is typed.
     void set_units(const DisplayUnits& units);
-    /// "/analyses/0/requirements/1/lowerLimit". False: not of a requirement.
+    /// `path`: "/analyses/0/requirements/1/lowerLimit". False: it is not of a requirement.
     bool focus_field(const std::string& path);
 
     TypesetComboBox* outputs() const { return outputs_; }

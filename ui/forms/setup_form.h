@@ -31,7 +31,7 @@ public:
     /// Gives the focus to the field a JSON pointer names: into the project ("/assets/0/setup/alpha") or
     /// relative to the set-up ("/alpha"). False when it names none of the form.
     bool focus_field(const std::string& path);
-    /// The first field that is shown.
+    /// Gives the focus to the first field that is shown.
     void focus_first();
 
 signals:

@@ -57,7 +57,7 @@ private:
     void remove_rows();
     void update_actions();
     void fit_columns(int first, int last);
-    /// Those that are wider than they need by more than `too_wide` (px).
+    /// Narrows those that are wider than they need by more than `too_wide` (px).
     void shrink_columns(const std::set<int>& columns, int too_wide = 0);
     void give_back();
     /// Widths of a column of words.

@@ -36,7 +36,7 @@ private:
     QToolButton* add_tool(const QString& picture, const QString& text, QAction* action);
     void follow_focus(const QWidget* focused);
     void choose_unit(int column, const QPoint& position);
-    /// Columns for the seventh joint, say, of a table whose arms have six, unless all are asked for.
+    /// Hides columns for the seventh joint, say, of a table whose arms have six, unless all are asked for.
     void hide_unused_columns();
 
     FieldSpec field_;

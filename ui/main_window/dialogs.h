@@ -11,7 +11,7 @@ namespace covaria::ui {
 
 enum class SaveAnswer { save, discard, cancel };
 enum class DiskAnswer { reload, keep };
-/// Later: it is kept, and asked about at the next start.
+/// `later`: the project is kept, and asked about at the next start.
 struct RecoverAnswer {
     enum class What { recover, later, discard } what = What::later;
     int entry = 0;  ///< index of the chosen one among the entries that were offered
@@ -19,9 +19,9 @@ struct RecoverAnswer {
 
 struct Dialogs {
     std::function<QString(const QString& folder)> file_to_open;
-    /// title, folder, filter; empty = cancelled.
+    /// Parameters: title, folder, filter; empty = cancelled.
     std::function<QString(const QString& title, const QString& folder, const QString& filter)> file_to_import;
-    /// title, suggested path, filter ("PDF document (*.pdf)"); empty = cancelled.
+    /// Parameters: title, suggested path, filter ("PDF document (*.pdf)"); empty = cancelled.
     std::function<QString(const QString& title, const QString& suggested, const QString& filter)>
         file_to_save;
     std::function<SaveAnswer(const QString& name)> save_changes;

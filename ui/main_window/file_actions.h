@@ -25,7 +25,7 @@ public:
     QAction* open_action;
     QAction* save_action;
     QAction* save_as_action;
-    /// New from example, recent files: filled when they open.
+    /// Menu of new from example and recent files, filled when it opens.
     QMenu* make_recent_menu(QWidget* parent);
     QMenu* make_examples_menu(QWidget* parent);
     QStringList recent_files() const;
@@ -45,7 +45,7 @@ public:
     bool may_leave();
 
 signals:
-    /// There is a project now (or another one).
+    /// There is a project now, or another one.
     void project_opened();
     void recent_changed();
     void message(const QString& text);

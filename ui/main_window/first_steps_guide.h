@@ -34,7 +34,7 @@ public:
     };
     explicit FirstStepsGuide(const Parts& parts);
 
-    /// There is a project.
+    /// Begins when there is a project.
     void begin();
     FirstStepsPanel& panel() const { return *panel_; }
     /// The steps that project and window show to be taken at this moment.

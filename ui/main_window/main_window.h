@@ -59,9 +59,9 @@ public:
     PreferenceStore& preferences() { return preferences_; }
     void show_preferences();
     ImportActions& imports() { return *imports_; }
-    /// Made when it is first asked for.
+    /// The library, made when it is first asked for.
     LibraryBrowser& library();
-    /// Made when it is first asked for, too.
+    /// The first steps, made when they are first asked for.
     FirstStepsGuide& first_steps();
     void show_first_steps();
 

@@ -25,7 +25,7 @@ public:
         SceneView& scene;
     };
     RecentRecorder(const Seen& seen, QObject* parent);
-    /// Does so at once.
+    /// Keeps them at once.
     void record();
 
 signals:

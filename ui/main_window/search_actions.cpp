@@ -38,7 +38,7 @@ QString quantity_words(const std::string& symbol, const Name& group, const Messa
     return name.empty() || name == symbol ? words : words + QStringLiteral(": ") + to_qt(name);
 }
 
-/// Those that can be gone to.
+/// Headings that a search can lead to.
 std::vector<const HeadingBlock*> headings_of(const HelpPage& page) {
     std::vector<const HeadingBlock*> headings;
     for (const ReportBlock& block : page.blocks)

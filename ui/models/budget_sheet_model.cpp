@@ -225,7 +225,7 @@ QVariant BudgetSheetModel::of_sheet(int row, int section, int role) const {
     return cell.data(role);
 }
 
-/// Its own words, what cannot be read as it was typed, and the problems of all figures in it.
+/// The words of a statement, a text that cannot be read as it was typed, and problems of all its figures.
 QVariant BudgetSheetModel::stated_cell(int row, int role) const {
     const QModelIndex kind = sheet_.index(row, column("statement"));
     const bool refused = sheet_.is_refused(row, column("statement"));
@@ -369,7 +369,7 @@ BudgetSheetModel::Cells BudgetSheetModel::cells_of_statement(int row, const QStr
     cells[column("a")] = {.number = read->a};
     cells[column("b")] = {.number = read->b};
     cells[column("stated_unit")] = {to_qt(read->unit)};
-    // Those of another kind of statement, or of another certificate, are not its own.
+    // Degrees of freedom of another kind of statement, or of another certificate, are not its own.
     const std::string before = text_at(row, "statement");
     const bool is_another =
         !before.empty() &&

@@ -62,7 +62,7 @@ public:
     void fill_down(const QModelIndexList& cells) override;
     void clear(const QModelIndexList& cells) override;
     void remove_rows_at(const std::set<int>& rows) override;
-    /// u, which follows, and a unit that was typed behind the estimate: what is typed next is the statement.
+    /// Passes over u, which follows, and a unit typed behind the estimate: the statement is typed next.
     bool is_passed_over(const QModelIndex& cell) const override {
         return cell.column() == u || (cell.column() == unit && cell.row() == typed_with_unit_);
     }
@@ -89,7 +89,7 @@ private:
     bool state_u(int row, const QString& text);
     bool is_typed(const QModelIndex& cell) const;
     Unit unit_of(int row) const;
-    /// Empty: the cell is.
+    /// Text of a cell; empty if the cell is.
     std::string text_at(int row, const char* key) const;
     std::optional<double> number_at(int row, const char* key) const;
     /// The cells that typing `text` into a section of a row writes there and beside it.
@@ -104,7 +104,7 @@ private:
     Result<TypedStatement> read_typed(int row, const QString& text) const;
     Result<TypedStatement> read_in(const QString& text, const Unit& of_row) const;
     std::optional<Unit> unit_of_list(int row, const QString& text) const;
-    /// They have a table of their own, which others can edit too.
+    /// Follows the observations: they have a table of their own, which others can edit too.
     void follow_observations();
     const std::vector<double>& observed(const std::string& of) const;
 

@@ -15,7 +15,7 @@ class ComparedResultsModel : public ColumnTableModel {
 public:
     using ColumnTableModel::ColumnTableModel;
 
-    /// Outputs of one group only; an empty group: all. Null empties the table.
+    /// Shows outputs of one group only; an empty group: all. Null empties the table.
     void set_comparison(ComparisonPointer comparison, const std::string& group, bool current);
     /// Index among the outputs compared.
     std::size_t output_of(int row) const { return shown_[static_cast<std::size_t>(row)]; }

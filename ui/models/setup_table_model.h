@@ -48,17 +48,17 @@ public:
     /// The cells to write when a value is typed into a row of a table that states quantities: a unit behind
     /// the number becomes the row's where it has none yet; else the number is converted.
     std::map<int, TypedCell> cells_of_value(int row, const QString& text) const;
-    /// Its text is kept beside the project because it could not be understood.
+    /// Whether the cell's text could not be understood, and is kept beside the project.
     bool is_refused(int row, int column) const { return rejected_.contains({row, column}); }
-    /// Why what a cell states has no effect: another analysis gives it. Empty: it has.
+    /// Why the statement of a cell has no effect: another analysis gives it. Empty: it has.
     QString taken_words(int row, int column) const;
-    /// The whole table anew, as one undo step.
+    /// Replaces the whole table, as one undo step.
     void replace_table(const SetupTable& table, const QString& text);
 
     const FieldSpec* field() const;
     const SetupTable& table() const { return table_; }
     Unit unit(int column) const { return table_.units[static_cast<std::size_t>(column)]; }
-    /// Numbers stay the same quantities. Ignored for a unit of another dimension.
+    /// Changes the unit of a column; numbers stay the same quantities. Ignored for another dimension.
     void set_unit(int column, const Unit& unit);
 
     bool is_linked() const override { return !table_.csv_file.empty(); }

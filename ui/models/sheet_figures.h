@@ -30,13 +30,13 @@ public:
     void follow(std::shared_ptr<const UncertaintyResult> result, std::size_t output, const std::string& key);
     /// Moves computed figures with their rows: so many are inserted at `first`, or (below zero) removed.
     void move(int first, int count);
-    /// Units of results, in which sensitivity coefficients are.
+    /// Sets the units of results, in which sensitivity coefficients are.
     void set_units(const DisplayUnits& units) { units_ = units; }
-    /// Null: the row states none.
+    /// The component that the row states; null: none.
     const BudgetComponent* component(std::size_t row) const;
     /// The unit in which the standard uncertainty of the result is read best. There must be a result.
     DisplayUnits units_of_contributions() const;
-    /// Its columns have the keys of the budget's. What is stated stays in the row's unit.
+    /// A table with the keys of the budget's columns. Stated figures stay in the row's unit.
     const Table& table() const { return table_; }
 
 private:

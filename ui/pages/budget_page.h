@@ -34,7 +34,7 @@ public:
     QLineEdit& correlation() const { return *correlation_; }
     /// Tab comes from `before` to the table, and from it to the correlation coefficient.
     void follow_in_tab_order(QWidget& before);
-    /// Another project.
+    /// Begins anew with another project.
     void start_over();
 
     void set_units(const DisplayUnits& units);

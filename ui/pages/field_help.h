@@ -12,7 +12,7 @@ class FieldHelp : public QLabel {
 public:
     explicit FieldHelp(QWidget& area);
 
-    /// Nothing is looked at any more: what to know about fields in general.
+    /// Says what to know about fields in general: no field is looked at any more.
     void start_over(bool has_numbers = true);
 
 protected:

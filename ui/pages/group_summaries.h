@@ -19,7 +19,7 @@ enum AnalysisGroup {
     notes_group
 };
 
-/// Each head answers what is in its group.
+/// Writes into each head what is in its group.
 void summarise_groups(FoldGroups& groups, const AnalysisEntry& analysis, const AnalysisStatus& status);
 
 }  // namespace covaria::ui

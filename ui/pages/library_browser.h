@@ -35,7 +35,7 @@ public:
     static QString examples_title();
 
 signals:
-    /// Opens as a new project.
+    /// The example is wanted as a new project.
     void example_wanted(const QString& file);
     void template_wanted(const covaria::AnalysisTemplate& wanted);
     void asset_wanted(const covaria::AssetEntry& asset);

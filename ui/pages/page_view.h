@@ -31,7 +31,7 @@ public:
     /// Index of the page of which most is visible; -1 without pages.
     int current_page() const { return current_; }
     void go_to_page(int page);
-    /// The place in the middle of the view stays there.
+    /// Changes the zoom; the place in the middle of the view stays there.
     void set_zoom(PageZoom zoom);
     PageZoom zoom() const { return zoom_; }
     /// The factor at which pages are shown, fitted or not.

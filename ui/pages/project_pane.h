@@ -31,7 +31,7 @@ public:
     QAction* duplicate_action;
     QAction* rename_action;
     QAction* delete_action;
-    /// One entry per registered kind.
+    /// Menu with one entry per registered kind.
     QMenu* make_add_menu(QWidget* parent);
 
     void add_asset(const std::string& kind);
@@ -51,9 +51,9 @@ public:
 signals:
     void library_wanted();
     void scene_wanted(const QString& asset, bool shown);
-    /// A new entry, to be filled in.
+    /// A new entry is to be filled in.
     void entry_added();
-    /// Something to be told in passing.
+    /// A text is to be told in passing.
     void message(const QString& text);
 
 protected:
@@ -74,7 +74,7 @@ private:
     QToolButton* plus_;  ///< at the right of the first row
 };
 
-/// The everyday one, whose budget is typed, first.
+/// Models for new analyses; the everyday one, whose budget is typed, comes first.
 std::vector<const ModelDescriptor*> models_for_new_analyses();
 
 }  // namespace covaria::ui

@@ -212,7 +212,7 @@ void PropertiesPane::go_to_first_field() {
     if (setup_) setup_->focus_first();
 }
 
-/// Its head at the top of the pane, as far as what is below it allows.
+/// Brings the head of a group to the top of the pane, as far as the pages below it allow.
 void PropertiesPane::show_group(int group) {
     if (group >= groups_->count()) return;
     groups_->open(group);

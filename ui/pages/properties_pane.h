@@ -40,7 +40,7 @@ public:
     void show_inputs() { show_group(inputs_group); }  ///< shows those of an analysis
     void show_studies() { show_group(studies_group); }
     void show_designs() { show_group(designs_group); }
-    /// Forms made anew: numbers are written in another form.
+    /// Makes the forms anew: numbers are written in another form.
     void start_over() { rebuild(); }
     /// Brings the field that a JSON pointer into the project names into view and gives it the focus.
     void focus_field(const QString& path);
@@ -54,7 +54,7 @@ public:
     void go_to_first_field();
 
 signals:
-    /// JSON pointer: somewhere else in the project.
+    /// A place elsewhere in the project is wanted: a JSON pointer into it.
     void place_wanted(const QString& path);
 
 private:

@@ -26,7 +26,7 @@ public:
     ReportPreview(Document& document, AnalysisRunner& runner, QWidget* parent = nullptr);
 
     void refresh();
-    /// Another project: no page of the former one stays.
+    /// Begins anew with another project: no page of the former one stays.
     void start_over();
     DocumentKind kind() const;
     bool is_busy() const { return maker_.is_busy(); }

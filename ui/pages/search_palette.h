@@ -31,7 +31,7 @@ class SearchPalette : public QDialog {
 public:
     explicit SearchPalette(QWidget* parent);
 
-    /// Above the parent, with the focus in the empty field.
+    /// Opens above the parent, with the focus in the empty field.
     void search(std::vector<Findable> findables);
     QLineEdit& field() { return *field_; }
     QTreeView& found() { return *found_; }

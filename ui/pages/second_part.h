@@ -16,15 +16,15 @@ class SecondPart : public QWidget {
 public:
     explicit SecondPart(QTabWidget& tabs, QWidget* parent = nullptr);
 
-    /// Null: closed.
+    /// The view that is here; null: the part is closed.
     QWidget* view() const { return view_; }
     /// Takes a view out of the tabs, and shows it here; the view shown before goes back to its tab.
     void show_view(QWidget* view);
-    /// Its view goes back to its tab.
+    /// Gives the view back to its tab.
     void close_part();
     /// The tab of a view, wherever that is shown; -1: it is none.
     int tab_of(const QWidget* view) const;
-    /// A tab has another name, or is hidden or shown.
+    /// Follows a tab that has another name, or is hidden or shown.
     void take_names();
     QComboBox& list() { return *list_; }
 

@@ -18,13 +18,13 @@ public:
     /// `name` names the saved file ("results") and the table to screen readers.
     SortableTable(ColumnTableModel& model, const QString& name, QWidget* parent = nullptr);
 
-    /// Columns hidden until the user shows them, by their English heads. The choice and the widths the user
+    /// Hides columns, by their English heads, until the user shows them. The choice and the widths the user
     /// gave are remembered under `key`.
     void set_columns(const QString& key, const QStringList& hidden);
     void set_column_shown(int column, bool shown);
-    /// Columns to tick, as on a right click on the head.
+    /// Adds the columns to tick, as on a right click on the head.
     void fill_column_menu(QMenu& menu);
-    /// Further entries of the context menu, for a row of the model.
+    /// Adds further entries to the context menu of a row of the model.
     std::function<void(QMenu& menu, int row)> extend_menu;
 
     /// Sets a remark, which stands below the numbers wherever they are copied or saved; empty: none.
@@ -53,7 +53,7 @@ private:
     QString column_name(int column) const;
     void apply_columns();
     void fit_columns();
-    /// Long texts are cut only where there is no room.
+    /// Gives spare room to columns of long texts, which are cut only where there is none.
     void share_room();
     void remember_width(int column, int width);
     void forget_columns();

@@ -10,10 +10,10 @@
 
 namespace covaria::ui {
 
-/// Paints itself with its top left corner at the given point.
+/// Paints an item with its top left corner at the given point.
 using PaintAt = std::function<void(QPainter&, QPointF)>;
 
-/// Put again at the top of a page on which a table goes on.
+/// The head of a table, put again at the top of each page on which the table goes on.
 struct RepeatedHead {
     double height = 0.0;
     PaintAt paint;

@@ -41,7 +41,7 @@ void InquiryRunner::take_made() {
             else
                 compare(key, analysis);
         }
-    runs_.begin();  // those that waited for this state
+    runs_.begin();  // the ones that waited for this state
 }
 
 void InquiryRunner::recheck() {

@@ -22,7 +22,7 @@ struct InquiryKind {
     std::function<std::vector<std::string>(const AnalysisEntry& analysis)> ids;
     /// The item's name for people; `id` is one of those.
     std::function<std::string(const AnalysisEntry& analysis, const std::string& id)> name;
-    /// Everything of the project that influences what comes of it.
+    /// The part of the project that influences the outcome.
     std::function<Project(const Project& project, const AnalysisEntry& analysis, const std::string& id)> part;
     /// Whether two such parts give the same outcome.
     std::function<bool(const Project& a, const Project& b)> same;
@@ -54,7 +54,7 @@ public:
 
     void run(const QString& analysis, const QString& id);
     void stop_all();
-    /// A file that an inquiry reads has changed: what is current is found out anew.
+    /// Finds out anew what is current: a file that an inquiry reads has changed.
     void recheck();
     bool is_busy() const { return runs_.is_busy(); }
     /// Waits until nothing runs, with an event loop of its own. False after `milliseconds`.
@@ -62,7 +62,7 @@ public:
 
 signals:
     void changed(const QString& analysis, const QString& id);
-    /// `name` of what runs; some ten times a second at most.
+    /// `name`: of the inquiry that runs; some ten times a second at most.
     void progress_changed(const QString& name, const covaria::ui::RunProgress& progress);
     void idle();
 
@@ -94,7 +94,7 @@ private:
     RunQueue runs_;
 };
 
-/// One whose results have a type.
+/// A runner whose results have a type.
 template <class Outcome>
 class InquiriesOf : public InquiryRunner {
 public:

@@ -31,12 +31,12 @@ class KeptStates : public QObject {
 public:
     KeptStates(const AnalysisRunner& runner, const RunBackend& backend, Execution execution);
 
-    /// The project whose states these are.
+    /// Follows the project whose states these are.
     void follow(Document& document);
 
-    /// Only a result that counts is kept: of the project as it is now, with all its trials.
+    /// Whether there is a result that counts: of the project as it is now, with all its trials.
     bool can_keep(const QString& analysis) const;
-    /// An edit. Takes the place of what was kept of the analysis before.
+    /// An edit. Replaces the result that was kept of the analysis before.
     void keep(const QString& analysis);
     /// An edit: another analysis, of this project or of another one, is kept in place of a former state of
     /// this one.
@@ -44,15 +44,15 @@ public:
                       const QString& name);
     /// An edit. Forgets the kept state.
     void discard(const QString& analysis);
-    /// Null: nothing is kept.
+    /// The kept result; null: nothing is kept.
     const KeptResult* find(const QString& analysis) const;
     /// The result to compare `now` with; null where nothing is kept, or not known yet, or it is the same.
     ResultPointer before(const QString& analysis, const ResultPointer& now) const;
 
-    /// The analysis has a result: what is kept of it is computed, once nothing else is.
+    /// Wants the kept result of an analysis that has a result: it is computed once nothing else is.
     void want(const QString& analysis);
     void begin() { runs_.begin(); }  ///< starts to compute what is wanted
-    /// Nothing is wanted any more, until it is wanted again.
+    /// Stops: nothing is wanted any more, until it is wanted again.
     void stop();
     void set_threads(int threads) { runs_.set_threads(threads); }
     bool is_busy() const { return runs_.is_busy(); }

@@ -12,7 +12,7 @@ QString result_words(const AnalysisStatus& status);
 /// Warning wherever a part of the result goes that is no report; empty for a current result.
 QString reservation(const AnalysisStatus& status);
 
-/// A field is wrong: what is shown is of the state before, and is faint.
+/// Whether a field is wrong, so that the result shown is of the state before, and is faint.
 bool is_refused(const AnalysisStatus& status);
 inline constexpr double opacity_of_last = 0.45;
 

@@ -16,7 +16,7 @@ struct RunBackend {
     std::function<Result<UncertaintyResult>(const PreparedAnalysis&, const RunControl&)> full;
 };
 
-/// core/made and core/propagation.
+/// The backend of core/made and core/propagation.
 RunBackend core_backend();
 
 }  // namespace covaria::ui

@@ -38,15 +38,15 @@ public:
 
     void push(const RunKey& key);
     void begin();  ///< starts the next that waits
-    /// A change has come: what waits begins at once after a rest, and while changes follow each other closely
+    /// Follows a change: waiting runs begin at once after a rest, and while changes follow each other closely
     /// (typing, dragging) when they have ceased for a moment: the law of propagation has the processor to
     /// itself.
     void settle();
     bool waits(const RunKey& key) const;
-    /// Those that wait.
+    /// Keys of the runs that wait.
     const std::deque<RunKey>& waiting() const { return waiting_; }
     bool take_out(const RunKey& key);  ///< whether it waited
-    /// Asks the run of the key to stop; whether it runs.
+    /// Asks the run of the key to stop; tells whether it runs.
     bool stop(const RunKey& key);
     void stop_active() { stop_.request_stop(); }
     /// Runs of the analysis looked at come before the others.
@@ -57,7 +57,7 @@ public:
     void post(JobQueue::Delivery message) { jobs_.post(std::move(message)); }
 
 signals:
-    /// Some ten times a second at most.
+    /// Sent some ten times a second at most.
     void progress_changed(const covaria::ui::RunKey& key, const covaria::ui::RunProgress& progress);
     /// The run has thrown: memory that is not there, a defect of the program. `ended` follows.
     void failed(const covaria::ui::RunKey& key, const covaria::Error& error);

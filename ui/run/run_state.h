@@ -47,9 +47,9 @@ struct AnalysisStatus {
     bool has_same_numbers = false;   ///< `result_of` gives what `prepared` gives
     std::vector<Message> warnings = {};
     QString held = {};  ///< why it must not run: a text in one of its fields cannot be read
-    /// The result, whatever its stage, belongs to the analysis as it is now.
+    /// Whether the result, whatever its stage, belongs to the analysis as it is now.
     bool is_of_present() const { return held.isEmpty() && result && prepared && has_same_numbers; }
-    /// It is also all that the analysis' options ask for: no preview. Only such a result counts as one.
+    /// Whether it is also all that the analysis' options ask for: no preview. Only such a result counts.
     bool is_current() const { return is_of_present() && stage == ResultStage::complete; }
 };
 

@@ -8,7 +8,7 @@
 
 namespace covaria::ui {
 
-/// 1 to 7.
+/// The view of a key from 1 to 7.
 std::optional<StandardView> view_of_key(int key);
 /// Way of the mouse (pixels) that turns the camera as an arrow key does; null: it is none.
 QPointF orbit_of_key(int key);

@@ -470,7 +470,7 @@ void ScenePanel::describe_item(const QString& id) {
     say(place + u + U, place + U);
 }
 
-/// Its inputs: made again, as the run had them.
+/// Tells the inputs of a trial, made again as the run had them.
 void ScenePanel::show_trial(std::uint64_t trial) {
     const AnalysisStatus& status = runner_.status(analysis_);
     if (measuring_->is_active() || !status.prepared || !status.is_of_present()) return;

@@ -40,11 +40,11 @@ public:
     void set_dark(bool dark);
     /// Sets the units in which lengths are written.
     void set_units(const DisplayUnits& units);
-    /// Another project: nothing of what was looked at stays.
+    /// Begins anew with another project: nothing of what was looked at stays.
     void start_over();
-    /// The map of a study in place of the analysis' result; null: the result again.
+    /// Shows the map of a study in place of the analysis' result; null: the result again.
     void show_study(std::shared_ptr<const StudyResult> study, const StudySceneOptions& wanted);
-    /// The findings of a design in the same way; `remark` is written below the picture.
+    /// Shows the findings of a design in the same way; `remark` is written below the picture.
     void show_design(std::shared_ptr<const DesignResult> design, const QString& remark);
 
     /// Marks the item that comes from a field (JSON pointer relative to the set-up) of an asset (empty: of
@@ -54,9 +54,9 @@ public:
     /// The entry in whose set-up the shown layout is written.
     SetupAddress address_in(const std::string& asset) const;
 
-    /// A button in the tool bar with these views.
+    /// Adds a button with these views to the tool bar.
     void offer_views(QMenu& menu);
-    /// A page for what is nowhere in space, under its equations; it hides where it has nothing to say.
+    /// Puts a page for quantities that are nowhere in space below their equations; it hides without content.
     void put_below_equations(QWidget* page);
 
     SceneView& view() { return *view_; }

@@ -265,7 +265,7 @@ void SceneView::mouseMoveEvent(QMouseEvent* event) {
     last_at_ = event->position();
 }
 
-/// Its name and its frame are written while the pointer is at it.
+/// Writes the name and the frame of an item while the pointer is at it.
 void SceneView::point_at(const QString& item) {
     if (item == std::exchange(pointed_item_, item)) return;
     service_.post([id = to_std(item)](SceneRenderer& renderer) { renderer.set_pointed(id); });

@@ -50,14 +50,14 @@ public:
     void fit();
     /// The faces of the cube in the corner that can be seen.
     std::vector<CubeFace> cube() const;
-    /// The next scene is of something else: seen from the usual side, with nothing selected.
+    /// Forgets the view: the next scene is another thing's, seen from the usual side, with nothing selected.
     void start_over();
     /// Marks an item without telling anybody; empty = none.
     void select(const QString& item_id);
     const QString& selected() const { return selected_; }
-    /// An item, not the camera.
+    /// Whether an item, not the camera, is dragged.
     bool is_dragging() const { return moved_ && dragged_; }
-    /// While a tool asks for places, a click picks one and moves nothing.
+    /// A click picks a place and moves nothing while a tool asks for places.
     void set_picks_places(bool picks);
     void set_measure(MeasureMark mark);
     /// px at its foot that words lie over: caption and scale bar stand above them.
@@ -77,7 +77,7 @@ public:
 
     /// The trial of the last click, where it hit a dot of a cloud.
     std::optional<std::uint64_t> picked_trial() const { return picked_trial_; }
-    /// Its dots are ringed no more.
+    /// Takes the rings from the dots of the trial.
     void forget_trial();
 
 signals:
@@ -86,7 +86,7 @@ signals:
     /// The user clicked while places are picked.
     void place_picked(const QString& item_id);
     void tool_left();  ///< Escape
-    /// The user wants to type where an item is.
+    /// The user wants to type the position of an item.
     void coordinates_wanted(const covaria::SceneItem& item);
     void perspective_changed(bool perspective);
     void picture_saved(const QString& file, const QString& problem);
@@ -132,11 +132,11 @@ private:
     /// The handle that a drag from there would grasp.
     std::optional<Handle> handle_under(QPointF position) const;
     bool is_near(const QString& item, QPointF position, double reach = reach_of_handles) const;
-    /// The one that the pointer is or was at, else the one selected.
+    /// The item that the pointer is or was at, else the one selected.
     QString item_with_handles() const;
     std::optional<std::uint64_t> trial_under(QPointF position) const;
     void paint_picture(QPainter& painter) const;
-    /// A ring around its dot in every cloud.
+    /// Paints a ring around the dot of a trial in every cloud.
     void paint_trial(QPainter& painter, std::uint64_t trial) const;
     void bring_item_to(QPointF position, Qt::KeyboardModifiers keys);
     void move_item_to(QPointF position, bool snaps);
@@ -147,7 +147,7 @@ private:
     void follow_pointer(QPointF position);
     void point_at(const QString& item);
     void post_moving(RenderService::Step step) { service_.post(std::move(step), RenderQuality::moving); }
-    /// Pan and zoom: from then on the user decides what is in the picture.
+    /// Posts a pan or zoom: from then on the user decides what is in the picture.
     void post_framing(RenderService::Step step);
     void finish_save(const QImage& image);
 

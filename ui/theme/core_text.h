@@ -21,7 +21,7 @@ QString core_text(std::string_view english);
 std::string core_words(std::string_view english);
 /// The same for a title; one with scripts stays as it is.
 Text core_title(const Text& english);
-/// The charts of models and assets: titles, axes, legends, marks.
+/// The charts of models and assets in the window's language: titles, axes, legends, marks.
 std::vector<PlotSpecification> core_plots(std::vector<PlotSpecification> english);
 
 }  // namespace covaria::ui

@@ -17,7 +17,7 @@ struct FontChoice {
 
 /// Family of running text.
 QString text_family();
-/// The same, and those that its missing letters come from.
+/// The family of running text, and those that its missing letters come from.
 QStringList text_families();
 QStringList figures_families();
 /// Family of numbers: the first whose figures are all equally wide.

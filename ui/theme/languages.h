@@ -16,7 +16,7 @@ struct Language {
 
 /// Languages of resources/translations/languages.txt in its order, after English.
 const std::vector<Language>& all_languages();
-/// Those that people may choose.
+/// Languages that people may choose.
 std::vector<Language> offered_languages();
 /// The language of that code, or of the same language in another country ("de_AT"); empty: none is offered.
 QString offered_language(const QString& code);
@@ -24,10 +24,10 @@ QString offered_language(const QString& code);
 /// system's languages that is; else English.
 QString language_to_speak(const QString& chosen, const QLocale& system);
 
-/// The texts of the application in that language from now on; to be said before there is a window. Where it
+/// Speaks that language from now on; to be said before there is a window. Where it
 /// was `chosen`, numbers follow it, too: QLocale() is the language's.
 void speak(const QString& code, bool chosen);
-/// The code of what the window speaks; "en" until it was said.
+/// Code of the language that the window speaks; "en" until it was said.
 QString spoken_language();
 
 /// Speaks the language of the preferences, or `this_time` where it is not empty.

@@ -16,7 +16,7 @@ namespace covaria::ui {
 enum class NumberForm { system, point, comma };
 
 struct Preferences {
-    QString language = {};                     ///< code; empty: the system's. Of the next start
+    QString language = {};                     ///< code, for the next start; empty: the system's
     QString theme = QStringLiteral("system");  ///< or "light", "dark"
     FontChoice font = {};
     NumberForm numbers = NumberForm::system;
@@ -29,7 +29,7 @@ struct Preferences {
     std::uint64_t trials = 1'000'000;
 
     bool operator==(const Preferences& other) const;
-    /// Those of the last session; what is missing or senseless there is as it is here.
+    /// Preferences of the last session; missing or senseless ones are as here.
     static Preferences stored();
     void store() const;
 };
@@ -46,7 +46,7 @@ public:
     const Preferences& now() const { return now_; }
     /// The options that a new analysis begins with.
     EvaluationOptions new_analysis() const;
-    /// Remembered and applied at once.
+    /// Remembers and applies them at once.
     void set(const Preferences& wanted);
 
 signals:

@@ -21,7 +21,7 @@ public:
     bool is_in_menu(int index) const;
     /// px that a tab is narrower than the style has it.
     int closer() const { return closer_; }
-    /// px by which all are seen.
+    /// px in which all tabs can be seen.
     int closest_width() const;
     QToolButton& menu_button() { return *more_; }
     QSize minimumSizeHint() const override;

@@ -39,12 +39,12 @@ class Theme {
 public:
     static Theme light();
     static Theme dark();
-    /// The one whose ground is that of the palette's windows.
+    /// The theme whose ground is that of the palette's windows.
     static Theme of(const QPalette& palette);
 
     bool is_dark() const { return dark_; }
-    /// Writing of numbers in charts: that of the document's language; in the window, that of the user.
-    /// the window.
+    /// Writing of numbers in charts: that of the document's language, or in the window that of the user's
+    /// locale.
     const NumberLocale& numbers() const { return numbers_; }
     Theme with_numbers(const NumberLocale& numbers) const;
     const Tokens& tokens() const { return tokens_; }
@@ -68,7 +68,7 @@ private:
     NumberLocale numbers_;
 };
 
-/// Those of the theme whose panels have the colour of the palette's windows.
+/// Tokens of the theme whose panels have the colour of the palette's windows.
 const Tokens& tokens_of(const QPalette& palette);
 
 /// Contrast ratio of two colours, 1 to 21 (WCAG 2.1).

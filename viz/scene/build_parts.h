@@ -43,7 +43,7 @@ void add_wall_histograms(SceneBuild& build);
 void add_labels(SceneBuild& build);
 /// Axes around everything, in place of those there were; unit of length, scale bar.
 void add_axes(Scene& scene);
-/// The one that is asked for, else the one that is held, else the automatic one.
+/// The magnification asked for, else the one that is held, else the automatic one.
 double magnification_of(const SceneOptions& options, double automatic);
 /// "ellipsoids 95 %, × 4 000".
 std::string magnified_ellipsoids_words(const Scene& scene, const SceneOptions& options);

@@ -55,13 +55,13 @@ Pixel project(const Camera& camera, PictureSize size, const Eigen::Vector3d& p_W
 Eigen::Vector3d world_at(const Camera& camera, PictureSize size, Pixel pixel,
                          const Eigen::Vector3d& through_W);
 
-/// Whence and whither one looks through a pixel: towards the scene.
+/// The line of sight through a pixel: its origin, and its direction into the scene.
 struct Ray {
     Eigen::Vector3d origin, direction;
 };
 Ray ray_through(const Camera& camera, PictureSize size, Pixel pixel);
 
-/// Looking along a standard direction with the whole box in the picture.
+/// The camera that looks along a standard direction with the whole box in the picture.
 Camera view_of(const SceneBounds& bounds, StandardView view, PictureSize size, double room = 0.0,
                bool perspective = false);
 std::array<Eigen::Vector3d, 8> corners_of(const SceneBounds& bounds);
@@ -72,7 +72,7 @@ Camera fitted(const Camera& camera, const SceneBounds& bounds, PictureSize size,
 /// The same picture with `foot` more pixels below it.
 Camera with_foot(const Camera& camera, PictureSize size, int foot);
 
-/// Is the high side of a box along `axis` (0 x, 1 y, 2 z) farther from the eye than its low side? Where
+/// Whether the high side of a box along `axis` (0 x, 1 y, 2 z) is farther from the eye than the low. Where
 /// neither is, the answer puts the axes of the plane views below and to the left.
 bool far_side_is_high(const Camera& camera, int axis);
 

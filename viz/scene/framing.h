@@ -27,7 +27,7 @@ private:
 
 /// The same direction; what is drawn of a scene fills `inside` of the picture as far as it can. Orthographic.
 Camera filling(const Camera& camera, const Scene& scene, PictureSize size, const ScreenRect& inside);
-/// The same of a box.
+/// The same for a box.
 Camera filling(const Camera& camera, const SceneBounds& bounds, PictureSize size, const ScreenRect& inside);
 
 }  // namespace covaria

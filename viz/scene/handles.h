@@ -42,13 +42,13 @@ std::optional<Handle> arrow_at(const Scene& scene, const Camera& camera, Picture
 Eigen::Vector3d moved_along(const Handle& arrow, const Camera& camera, PictureSize size, Pixel from,
                             Pixel to);
 
-/// Tips of axes before items; `preferred`: the id of an item that is taken before others within reach (the
-/// selected one).
+/// The handle under a pixel: tips of axes before items; `preferred`: the id of an item that is taken before
+/// others within reach (the selected one).
 std::optional<Handle> handle_at(const Scene& scene, const Camera& camera, PictureSize size, Pixel pixel,
                                 const std::function<bool(Layer)>& shown, const std::string& preferred,
                                 double reach);
 
-/// About which axis of its frame a tip turns: that of the other two which points most to or from the eye.
+/// Axis of its frame about which a tip turns: that of the other two which points most to or from the eye.
 int turning_axis(const Handle& handle, const Camera& camera);
 
 /// The turn in W, about the origin of the frame and that one of its other two axes that points most to or

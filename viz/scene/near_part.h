@@ -19,9 +19,9 @@ struct NearPart {
     Layout layout;
     std::vector<std::string> left_out;  ///< names of things that are too far away; not empty
 };
-/// Nothing: all of it is near.
+/// The near part of a layout; nothing: all of it is near.
 std::optional<NearPart> near_part(const Layout& layout);
-/// Beside a picture.
+/// Words beside a picture on what it leaves out.
 Message words_of_left_out(const std::vector<std::string>& left_out);
 
 }  // namespace covaria::detail

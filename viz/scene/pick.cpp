@@ -141,7 +141,7 @@ std::optional<std::string> pick_item(const Scene& scene, const Camera& camera, P
         for (const SceneFrame& frame : scene.frames) {
             if (const double away = view.offset(frame.item.position).norm(); away <= reach)
                 best.offer(1, away, view.depth(frame.item.position), frame.item.id);
-            // Its axes are drawn where it is pointed at: before them comes what is there to be seen.
+            // A frame's axes are drawn while it is pointed at: other items that can be seen there come first.
             for (int i = 0; i < 3; ++i) {
                 const auto [away, depth] = view.to_segment(
                     frame.item.position, frame.item.position + frame.length * frame.R_WF.col(i));

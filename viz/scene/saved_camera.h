@@ -9,7 +9,7 @@ namespace covaria {
 
 SavedView saved_view(const std::string& name, const Camera& camera, PictureSize size,
                      const Visibility& visibility);
-/// All that the view shows is in a picture of any form.
+/// The camera of a saved view: all that it shows is in a picture of any form.
 Camera camera_of(const SavedView& view, PictureSize size);
 Visibility visibility_of(const SavedView& view);
 

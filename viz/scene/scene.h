@@ -269,7 +269,7 @@ struct Scene {
     NumberLocale numbers = {};  ///< how its texts write theirs
     bool scale_bar = false;
     std::optional<double> floor = {};  ///< height of what everything stands on, m
-    /// Around the ellipsoids that the picture is about, where they are close together in a large whole.
+    /// A box around the ellipsoids that the picture is about, where they are close together in a large whole.
     std::optional<SceneBounds> focus = {};
 
     std::vector<SceneFrame> frames;
@@ -292,16 +292,16 @@ struct Scene {
     bool operator==(const Scene&) const = default;
 };
 
-/// Ellipsoids or clouds: what a magnification is of.
+/// Whether ellipsoids or clouds are drawn: a magnification is of them.
 bool draws_uncertainty(const Scene& scene);
 /// The item with this id, or null.
 const SceneItem* find_item(const Scene& scene, const std::string& id);
-/// Axes of an instrument have no name of their own.
+/// The item's name; axes of an instrument have none of their own.
 std::string name_of(const SceneItem& item);
 /// Whether one field of a set-up states the places of both.
 bool stand_by_one_field(const SceneItem& a, const SceneItem& b);
 
-/// Around everything that is drawn, axes included, without context meshes if there is anything else: they may
+/// A box around everything drawn, axes included, without context meshes if there is anything else: they may
 /// be a whole hall, and what is measured small in it.
 SceneBounds bounds_of(const Scene& scene);
 /// The same with the meshes.

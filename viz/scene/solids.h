@@ -35,9 +35,9 @@ struct Solid {
 
 /// Solids of a scene's bodies: instruments on their tripods, plates on their feet.
 std::vector<Solid> solids_of_bodies(const Scene& scene);
-/// Arms with their joints, legs, bars; nothing of what is only a line.
+/// Solids of arms with their joints, legs, bars; nothing of what is only a line.
 std::vector<Solid> solids_of_links(const Scene& scene);
-/// Balls in their seats, flanges, supports; nothing at an instrument's own station.
+/// Solids of balls in their seats, flanges, supports; nothing at an instrument's own station.
 std::vector<Solid> solids_of_points(const Scene& scene);
 
 /// Height down to which standing instruments, plates and arms reach: the floor lies there.

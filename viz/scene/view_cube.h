@@ -19,7 +19,7 @@ struct CubeFace {
 /// The faces towards the eye (at most three) of a cube with edges of `edge` pixels about `centre`, without
 /// perspective.
 std::vector<CubeFace> view_cube(const Camera& camera, Pixel centre, double edge);
-/// The one under a pixel.
+/// The face under a pixel.
 std::optional<StandardView> face_at(const std::vector<CubeFace>& faces, Pixel pixel);
 
 }  // namespace covaria

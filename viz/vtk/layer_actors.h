@@ -59,7 +59,7 @@ private:
     std::array<std::vector<LayerActor>, layer_count> actors_;
 };
 
-/// Building of meshes uses objects that VTK and we share within the process.
+/// Guards the building of meshes, which uses objects that VTK and we share within the process.
 std::mutex& mesh_mutex();
 /// The actors of one layer (none for labels and legend, which are painted on the picture).
 std::vector<LayerActor> actors_of(Layer layer, const Scene& scene, const Eigen::Vector3d& origin,
@@ -67,7 +67,7 @@ std::vector<LayerActor> actors_of(Layer layer, const Scene& scene, const Eigen::
 std::vector<LayerActor> axes_actors(const Scene& scene, const Eigen::Vector3d& origin, ScenePalette palette);
 std::vector<LayerActor> histogram_actors(const Scene& scene, const Eigen::Vector3d& origin,
                                          ScenePalette palette);
-/// Coloured points, and iso-surfaces of a grid of them.
+/// Coloured points of a map, and iso-surfaces of a grid of them.
 std::vector<LayerActor> map_actors(const Scene& scene, const Eigen::Vector3d& origin, ScenePalette palette);
 /// Context; the triangles of a mesh are VTK's once, however often its actor is made.
 std::vector<LayerActor> mesh_actors(const Scene& scene, const Eigen::Vector3d& origin, ScenePalette palette);

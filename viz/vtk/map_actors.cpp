@@ -36,7 +36,7 @@ bool is_marked(const SceneMap& map, std::size_t i) {
     return i < map.marked.size() && map.marked[i];
 }
 
-/// Those that are not marked.
+/// Points that are not marked.
 vtkSmartPointer<vtkPolyData> coloured_points(const SceneMap& map, const Eigen::Vector3d& origin) {
     vtkNew<vtkPoints> points;
     vtkNew<vtkUnsignedCharArray> colours;

@@ -33,7 +33,7 @@ Overlay::Overlay(const Scene& scene, const OverlayView& view, Image& image, Text
 
 void Overlay::paint() {
     // Words with a fixed place in a corner claim their room first: the words along the axes and
-    // the labels go round it. It is painted after the lines that it covers.
+    // the labels go round them. They are painted after the lines that they cover.
     const std::vector<HeadLine> head =
         head_lines(scene_, view_.layers, view_.ratio, canvas_.size().width, masks_);
     for (const HeadLine& line : head) claim(line.word, line.x, line.y);
@@ -202,7 +202,7 @@ double Overlay::colour_bar_height() const {
     return std::min(0.42 * canvas_.size().height, px(260));
 }
 
-/// Its upper edge; below the title of the picture where both have no room beside each other.
+/// Claims the room of the colour bar; returns its upper edge. It is below the title where both do not fit.
 double Overlay::claim_colour_bar() {
     if (!scene_.map || !(scene_.map->high > scene_.map->low)) return 0.0;
     const Mask& title = mask_of({scene_.map->title, Role::text, false, 1.0}).letters;

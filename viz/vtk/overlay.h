@@ -63,10 +63,10 @@ private:
     void paint_frames();
     bool shows(const SceneFrame& frame) const;
     bool is_of_asked(const SceneFrame& frame) const;
-    /// The sights of what is selected, before all others.
+    /// Paints the sights of what is selected, before all others.
     void paint_selected_sights();
     void paint_diamond(Pixel centre, double half, double width, Colour ink);
-    /// Around the points, or as large as a letter.
+    /// Paints marks around the points, or as large as a letter.
     void paint_verdicts();
     double half_of_diamond(const SceneVerdict& mark) const;
     // scene_labels.cpp
@@ -81,7 +81,7 @@ private:
     PlannedLabel planned(const SceneLabel& label) const;
     /// Labels of one sort whose anchors cannot be told apart are one: "axis 5, axis 6".
     std::vector<PlannedLabel> joined(const std::vector<PlannedLabel>& labels) const;
-    /// Those that have no room.
+    /// Paints labels where there is room; returns those that have none.
     std::vector<PlannedLabel> paint_where_free(const std::vector<PlannedLabel>& labels,
                                                const std::vector<ScreenRect>& anchors,
                                                const std::vector<ScreenLine>& bodies,
@@ -113,7 +113,7 @@ private:
     /// else none, because a single number is no scale.
     std::vector<std::size_t> numbered_ticks(const std::vector<ScreenRect>& needed,
                                             const std::vector<AxisTick>& ticks) const;
-    /// Beside the middle of what is seen of its axis, else where there is room; whether there was any.
+    /// Paints it beside the middle of the visible part of its axis, else where there is room; false: nowhere.
     bool paint_title(const AxisEdge& edge, const std::string& title, double numbers_reach);
 
     const Scene& scene_;

@@ -70,7 +70,7 @@ public:
     void set_pointed(const std::string& item_id);   ///< id of the item under the pointer; empty = none
     void set_measure(MeasureMark mark);             ///< without places: none
     const MeasureMark& measure() const;
-    /// Pixels that are painted over: words stay clear of them.
+    /// Sets pixels that are painted over: words stay clear of them.
     void set_reserved(const ScreenRect& rect);
     /// Caption and scale bar stand above what covers so many px of the foot.
     void set_covered(double height);
