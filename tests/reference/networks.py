@@ -39,7 +39,7 @@ LENGTHS = ("slope-distance", "horizontal-distance", "height-difference", "x", "y
 
 
 def with_units(row):
-    """Heads without a unit are in that of the declaration."""
+    """A row in SI; heads without a unit are in that of the declaration."""
     return {key: mp.mpf(value) * factor(UNIT_OF_U[key]) if key in UNIT_OF_U and isinstance(value, str) else
             mp.mpf(value) if key in ("length", "angle", "height_from", "height_to") and isinstance(value, str) else value for key, value in row.items()}
 
@@ -140,7 +140,7 @@ def evaluate(entry, folder, analysis):
 
 
 def null_space(values, index, datum, at, readings):
-    """What no reading tells, restricted to the datum: shifts, and the turn about the vertical."""
+    """The movements that no reading tells, restricted to the datum: shifts, and the turn about the vertical."""
     if not datum:
         return []
     if any(row["kind"] in ("x", "y", "z", "azimuth", "dx", "dy") for row in readings) or \
