@@ -71,7 +71,7 @@ Result<Scene> scene_of_design(const EvaluatedAnalysis& evaluated, const PictureR
     return fail(ErrorCode::not_found, "the analysis has no design \"" + request.design + "\"");
 }
 
-// Either takes some 3 GB while a picture is drawn, the whole picture at once in either case.
+// Limits of sizes: either takes some 3 GB while a picture is drawn, the whole picture at once in either case.
 constexpr std::int64_t most_fine_pixels = 9'000'000, most_pixels = 36'000'000;
 
 Result<void> render_to(SceneRenderer& renderer, const std::filesystem::path& file,

@@ -18,7 +18,7 @@ using Arguments = std::vector<std::string>;
 
 const std::string gauge = shipped_project("gum/h1-end-gauge.covaria").string();
 const std::string network = shipped_project("lsm-network.covaria").string();
-/// Its equations have letters that come from other fonts.
+/// The chain's equations have letters that come from other fonts.
 const std::string chain = shipped_project("chain.covaria").string();
 const std::string robot = shipped_project("er10l-c10.covaria").string();
 

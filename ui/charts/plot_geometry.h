@@ -14,7 +14,7 @@ struct PlotView {
     bool operator==(const PlotView&) const = default;
 };
 
-/// All of the data, with margins, or what the specification's axes ask for.
+/// The view of all data, with margins, or of what the specification's axes ask for.
 PlotView whole_view(const PlotSpecification& plot);
 bool has_heat_map(const PlotSpecification& plot);
 /// Coordinate on the axis: log10 of the value where the axis is logarithmic.

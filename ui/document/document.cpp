@@ -225,7 +225,7 @@ void Document::adopt_opened(const QString& file, const LoadedProject& loaded) {
 
 void Document::open_in_background(const QString& file) {
     const auto load = [this, file](const std::stop_token&) -> JobQueue::Delivery {
-        // Before it is read: who writes it meanwhile is noticed.
+        // The content is taken before the file is read, so that a writer in between is noticed.
         const QByteArray content = FileWatch::content_of(file);
         auto loaded = std::make_shared<const LoadedProject>(load_file(file));
         return [this, file, loaded, content] {

@@ -62,7 +62,7 @@ public:
     /// The display name, and the report that the project was taken out of, until it is saved.
     QString heading() const;
 
-    /// Another project takes the place of this one; history and file are forgotten.
+    /// Puts another project in the place of this one; history and file are forgotten.
     void replace(Project project);
     void replace_by(const LoadedProject& loaded);
     /// A project read from a recovery file: like `open`, but unsaved.

@@ -61,7 +61,7 @@ std::optional<char> character_at(const std::string& text, const std::string& pat
     return at == found.end() ? '\0' : *at;
 }
 
-/// It ends too soon, a parenthesis is not closed, or a name has no row yet: it is still being typed.
+/// Whether a text is still being typed: it ends too soon, a parenthesis is open, or a name has no row yet.
 bool is_begun(const Project& project, const SetupAddress& address, const std::string& text,
               const std::string& path) {
     const std::optional<char> at = character_at(text, path);

@@ -30,7 +30,7 @@ public:
     void make_now(ProjectSnapshot project);
     /// Takes a project that is made already, and finds only its problems.
     void take(MadeProject::Pointer made);
-    /// Another project is to come: nothing of the former is made or delivered any more.
+    /// Stops making and delivering states of the present project: another one is to come.
     void forget();
 
     /// The newest project that is made; null before the first.

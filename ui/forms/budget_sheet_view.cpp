@@ -66,7 +66,7 @@ BudgetSheetView::BudgetSheetView(SpreadsheetModel& model, QWidget* parent)
     place_frozen();
 }
 
-/// Only where the column itself is out of view: it is edited in its own place.
+/// Shows the frozen column only while the column itself is out of view: that is edited in its own place.
 void BudgetSheetView::place_frozen() {
     const bool scrolled = horizontalScrollBar()->value() > 0;
     frozen_->setVisible(scrolled);

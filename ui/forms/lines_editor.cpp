@@ -128,7 +128,7 @@ void LinesEditor::focus_part(const std::string& path) {
 }
 
 bool LinesEditor::eventFilter(QObject* watched, QEvent* event) {
-    if (watched == edit_ && event->type() == QEvent::Resize) adapt_height();  // its lines are broken anew
+    if (watched == edit_ && event->type() == QEvent::Resize) adapt_height();  // lines are broken anew
     if (watched == edit_ && event->type() == QEvent::FocusOut && typed_) {
         const Qt::FocusReason reason = static_cast<QFocusEvent*>(event)->reason();
         typed_ = reason == Qt::PopupFocusReason || reason == Qt::ActiveWindowFocusReason;

@@ -34,7 +34,7 @@ public:
     /// and shown again when the line comes back to it.
     void set_place(UnreadTexts& unread, const TextPlace& place);
 
-    /// Does not disturb what is being typed unless the value is another.
+    /// Shows the quantity; a text being typed stays unless the value is another.
     void set_quantity(const std::optional<Quantity>& quantity);
     const std::optional<Quantity>& quantity() const { return quantity_; }
     bool is_valid() const { return own_complaint_.isEmpty(); }

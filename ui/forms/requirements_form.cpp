@@ -45,8 +45,8 @@ QString number(const Unit& unit, double si, int digits = 3) {
     return localized(format_significant(unit.interval_from_si(si), digits)) + to_qt(unit_after_number(unit));
 }
 
-/// Both with as many digits as tell them apart; the second one rounded down, so that it suffices as it
-/// stands.
+/// Texts of both, with as many digits as tell them apart; the second is rounded down, so that it suffices
+/// as it stands.
 std::pair<QString, QString> told_apart(const Unit& unit, double now, double needed, int fewest = 3) {
     constexpr int most = 8;
     const double value = unit.interval_from_si(needed);

@@ -241,7 +241,7 @@ void SpreadsheetView::move_down() {
     if (below.isValid()) go_to(below);
 }
 
-/// Below the last row that has something in it stands a new one.
+/// Appends a row and goes to it, if the current one is the last and has something in it.
 void SpreadsheetView::begin_row_below() {
     const QModelIndex now = currentIndex();
     const auto is_filled = [&](int column) {

@@ -354,7 +354,7 @@ void MainWindow::connect_panes() {
         results_->set_dark(dark);
     });
     connect(&preferences_, &PreferenceStore::changed, this, &MainWindow::take_preferences);
-    // Once, however often an edit runs it again.
+    // Each failure is told once, however often an edit runs the analysis again.
     connect(&runner_, &AnalysisRunner::state_changed, this,
             [this, said = QMap<QString, QString>()](const QString& id) mutable {
                 const AnalysisStatus& status = runner_.status(id);
@@ -547,7 +547,7 @@ void MainWindow::lead_from_equations_to_budget() {
     if (equations) budget_->follow_in_tab_order(*equations->text_edit());
 }
 
-/// Nothing is evaluated from an old value while a text stands in its place.
+/// Holds runs back, so that nothing is evaluated from an old value while a text stands in its place.
 void MainWindow::hold_runs() {
     const UnreadTexts::Held held = document_.unread().held(document_.project());
     runner_.set_held(held.analyses);

@@ -17,7 +17,7 @@ namespace covaria::ui {
 
 namespace {
 
-/// It is closed as well, by the view.
+/// Whether the line edits a cell: the view closes it as well.
 bool edits_cell(const QLineEdit& line) {
     const QWidget* around = line.parentWidget();
     return around && qobject_cast<QAbstractItemView*>(around->parentWidget());

@@ -219,7 +219,7 @@ void CompareTab::compare_with(const Project& project, const std::string& other, 
     emit message(tr("The tab Compare shows %1 as before.").arg(name));
 }
 
-/// One edit: what is evaluated, as it was.
+/// Goes back in one edit: everything evaluated becomes what it was.
 void CompareTab::go_back() {
     finish_typing();
     if (const KeptResult* kept = kept_.find(selection_.analysis()))

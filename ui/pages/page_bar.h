@@ -1,4 +1,4 @@
-// Above the pages of a report: "3 of 17" with previous and next, and how large they are shown.
+// The bar above the pages of a report: "3 of 17" with previous and next, and how large they are shown.
 #pragma once
 
 #include <QWidget>

@@ -242,7 +242,7 @@ void ResultsPane::go_to_source(int row) {
     if (!place.isEmpty()) emit place_wanted(place);
 }
 
-/// One at a time, chosen from a list.
+/// A tab with one chart at a time, chosen from a list.
 QWidget* ResultsPane::make_charts_tab() {
     auto* tab = new QWidget;
     charts_ = new QComboBox;

@@ -194,7 +194,7 @@ void StartPage::add_examples(QVBoxLayout& column) {
     column.addLayout(lines);
 }
 
-/// One row of cards; all files are in the list at the right of the heading.
+/// Shows one row of cards; all files are in the list at the right of the heading.
 void StartPage::set_recent_files(const QStringList& files) {
     while (QLayoutItem* item = recent_->takeAt(0)) {
         delete item->widget();

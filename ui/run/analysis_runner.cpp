@@ -75,7 +75,7 @@ AnalysisRunner::AnalysisRunner(ProjectMaker& maker, RunBackend backend, Executio
 
 AnalysisRunner::~AnalysisRunner() = default;
 
-/// Another project: all results are forgotten.
+/// Forgets all results: there is another project.
 void AnalysisRunner::reset() {
     stop_all();
     first_order_.cancel();

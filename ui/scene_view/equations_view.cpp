@@ -31,7 +31,7 @@ struct SetEquations {
     double gap = 0.0;  ///< between two below each other
 };
 
-/// Below each other, in as many columns as the height asks for.
+/// Sets equations below each other, in as many columns as the height asks for.
 SetEquations set_in_columns(const std::vector<ModelEquation>& equations, const QFont& font, double height) {
     const double gap = std::clamp(0.6 * font.pointSizeF(), 4.0, 10.0);
     SetEquations made{{}, {}, {}, font, gap};

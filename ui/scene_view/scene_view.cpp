@@ -454,7 +454,7 @@ void SceneView::wheelEvent(QWheelEvent* event) {
     event->accept();
 }
 
-/// While a tool is in use, Escape is for it and stops no run.
+/// Takes Escape while a tool is in use: it then stops no run.
 bool SceneView::event(QEvent* event) {
     if (event->type() == QEvent::ShortcutOverride && picks_places_ &&
         static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape)

@@ -1,4 +1,4 @@
-// One trial of a Monte Carlo run: what its inputs were.
+// The inputs of one trial of a Monte Carlo run, in words.
 #pragma once
 
 #include <QString>

@@ -1,4 +1,4 @@
-// Between a camera with what is hidden and a view saved in the project.
+// Turns a camera with what is hidden into a view saved in the project, and back.
 #pragma once
 
 #include "core/project/saved_view.h"

@@ -80,7 +80,7 @@ LayerActor points_actor(const SceneMap& map, const Eigen::Vector3d& origin) {
     return made;
 }
 
-/// Only cells whose eight corners have values: a surface ends where nothing is known.
+/// Cells whose eight corners have values: a surface ends where nothing is known.
 vtkSmartPointer<vtkUnstructuredGrid> known_cells(const SceneMap& map, const Eigen::Vector3d& origin) {
     auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
     vtkNew<vtkPoints> points;

@@ -56,7 +56,7 @@ struct SceneRenderer::Implementation {
 
     Implementation();
     double pixel_ratio() const;
-    /// All of the scene, clear of the legend, the caption and the scale bar.
+    /// The camera that has the whole scene clear of the legend, the caption and the scale bar.
     Camera framed(const Camera& looking);
     void realise();
     void aim(const Camera& looking, PictureSize drawn, double scale, RenderQuality quality);

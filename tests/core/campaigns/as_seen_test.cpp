@@ -44,7 +44,7 @@ struct Case {
     Problems problems;
 };
 
-/// All uncertainties times the one factor, with its degrees of freedom.
+/// Expects all uncertainties times the one factor, with its degrees of freedom.
 void expect_one_factor(Case& of) {
     const UncertaintyResult stated = of.run("stated"), seen = of.run("one-factor");
     const auto readings = of.prepare()->model->redundant_readings();

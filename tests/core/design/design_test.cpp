@@ -551,7 +551,7 @@ TEST(Design, TakenOverItGivesWhatItPromised) {
     }
 }
 
-// They may refer to assets that the analysis does not use yet.
+// Candidates may refer to assets that the analysis does not use yet.
 TEST(Design, CandidatesOfAFileStandBehindTheRowsOfTheTable) {
     const Stations stations(9, 2);
     const std::string targets = R"(,"outputs":[{"group":"P","symbol":"x"}])";  // one: no weights

@@ -31,7 +31,7 @@ std::set<std::string> keys_of(const Json& object) {
     return keys;
 }
 
-/// Nothing is as it is by default: every key is written.
+/// An analysis with every key: nothing is as it is by default.
 AnalysisEntry full_analysis() {
     const Quantity q{1.5, Unit::of("mm")};
     AnalysisEntry a{.id = "a", .model = "measurement-equation"};

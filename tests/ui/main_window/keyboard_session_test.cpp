@@ -178,7 +178,7 @@ TEST_F(KeyboardSession, AWholeBudgetIsCopiedWithItsHeads) {
     EXPECT_EQ(budget->model()->index(0, 0).data(Qt::EditRole).toString(), lines[1].section('\t', 0, 0));
 }
 
-/// Nothing but keys after the analysis has been added.
+/// Only keys are used after the analysis has been added.
 TEST_F(KeyboardSession, ABudgetAndItsCorrelationAreTyped) {
     add_equation();
     auto* equations = window_->properties().findChild<QPlainTextEdit*>(QStringLiteral("equations"));

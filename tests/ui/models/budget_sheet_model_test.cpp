@@ -115,7 +115,7 @@ TEST_F(BudgetSheetModelTest, AListIsTheObservationsOfItsRow) {
     EXPECT_EQ(text(1, Section::u), QStringLiteral("2.9")) << "5/sqrt(3)";
     EXPECT_EQ(text(1, Section::type), QStringLiteral("A"));
     EXPECT_EQ(text(1, Section::nu), QStringLiteral("2"));
-    // Those of another quantity stay as they are; others in its place.
+    // Observations of another quantity stay as they are; new ones take the place of the old.
     type(0, Section::stated, "1; 2; 3");
     type(1, Section::stated, "210; 220; 230; 240");
     EXPECT_EQ(text(1, Section::stated), QString::fromUtf8("observations 210; 220 … (4)"));
