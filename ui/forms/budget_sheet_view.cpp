@@ -13,7 +13,7 @@
 namespace covaria::ui {
 namespace {
 
-/// Who types there means the statement, which is where it is edited.
+/// Whether the cell follows from the statement: typing there means the statement, which is edited then.
 bool follows_from_statement(const QModelIndex& cell) {
     using Sheet = BudgetSheetModel;
     const bool follows = cell.column() == Sheet::distribution || cell.column() == Sheet::type;

@@ -127,7 +127,7 @@ std::vector<ComponentEdit> ComponentsEdit::model_components() const {
     return found;
 }
 
-/// An edit of the components does not say so.
+/// Whether the model says that Monte Carlo draws the component normally; edited components cannot say so.
 bool ComponentsEdit::draws_normal(int row) const {
     if (find_input_edit(document_.project(), analysis_->id, symbol_).components) return false;
     const auto own = own_components();

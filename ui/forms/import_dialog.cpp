@@ -203,7 +203,7 @@ void ImportDialog::clear_marks() {
             if (QTableWidgetItem* item = table_->item(row, column)) item->setBackground(QBrush());
 }
 
-/// The row that could not be read, in sight.
+/// Marks the row that could not be read, and brings it into sight.
 void ImportDialog::mark_line(int line) {
     const auto found = std::find(shown_.row_numbers.begin(), shown_.row_numbers.end(), line);
     if (found == shown_.row_numbers.end()) return;

@@ -293,7 +293,7 @@ void SpreadsheetView::copy() {
     QGuiApplication::clipboard()->setText(block_text(cells, whole));
 }
 
-/// Up to the last one in which anything stands.
+/// Number of rows up to the last one in which anything stands.
 int SpreadsheetView::filled_rows() const {
     int rows = model_.rowCount();
     const auto is_empty = [this](int row) {

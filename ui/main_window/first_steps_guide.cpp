@@ -20,7 +20,7 @@
 namespace covaria::ui {
 namespace {
 
-/// A row of the budget has a text there.
+/// Whether a row of the budget has a text in this section.
 bool has_text(const BudgetPage& page, BudgetSheetModel::Section section) {
     const BudgetSheetModel* model = page.model();
     for (int row = 0; model && row < model->rowCount(); ++row)

@@ -27,7 +27,7 @@
 namespace covaria::ui {
 namespace {
 
-constexpr int title_bar = 40;  // height of the dialog's on the screen
+constexpr int title_bar = 40;  // px, of the dialog on the screen
 
 QFormLayout* add_group(QVBoxLayout& column, const QString& title, const QString& note) {
     auto* group = new QGroupBox(title);

@@ -107,7 +107,7 @@ void SearchActions::add_commands(const QMenu& menu, std::vector<Findable>& all) 
     }
 }
 
-/// The entry and the fields of its set-up.
+/// Adds the entry and the fields of its set-up.
 void SearchActions::add_entry(const SetupAddress& entry, const std::string& name, const QString& kind,
                               std::vector<Findable>& all) const {
     all.push_back({to_qt(name), kind, [this, entry] {

@@ -82,7 +82,7 @@ const BudgetComponent* SheetFigures::component(std::size_t row) const {
     return known ? &result_->budget.components[*components_[row]] : nullptr;
 }
 
-/// A row for each row of the sheet that states a component. What is stated stays in the row's unit.
+/// Makes a row for each row of the sheet that states a component. Stated figures stay in the row's unit.
 void SheetFigures::make_table() {
     using Scale = Measured::Scale;
     table_ = {"sheet", "", components_.size()};

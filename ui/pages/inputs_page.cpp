@@ -104,7 +104,7 @@ void InputsPage::make_table() {
     connect(table_, &QWidget::customContextMenuRequested, this, &InputsPage::show_menu);
 }
 
-/// The room that is left, but its head.
+/// Gives the column of components the room that the others leave, but never less than its head.
 void InputsPage::fit_components() {
     QHeaderView& head = *table_->horizontalHeader();
     constexpr int column = InputQuantitiesModel::components_column;

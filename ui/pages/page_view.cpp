@@ -122,7 +122,7 @@ void PageView::step_zoom(int direction) {
     set_zoom({PageZoom::Fit::none, wanted});
 }
 
-/// The page with the most of it in view.
+/// Makes the page with the most of it in view the current one.
 void PageView::take_current_page() {
     int best = pages_.empty() ? -1 : 0, most = -1;
     for (int page = 0; page < page_count(); ++page) {
@@ -138,7 +138,7 @@ void PageView::take_current_page() {
     emit current_page_changed(current_);
 }
 
-/// The page as large as it is seen; those out of view are forgotten.
+/// Picture of a page as large as it is seen; those out of view are forgotten.
 const QImage& PageView::sharp(int page) {
     const double dots = screen_dots_per_inch * scale() * devicePixelRatioF();
     if (dots != shown_scale_) shown_.clear();

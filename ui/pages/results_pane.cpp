@@ -42,7 +42,7 @@
 namespace covaria::ui {
 namespace {
 
-/// Views that some models have nothing for.
+/// Adds a view that some models have nothing for; it is hidden until it is offered.
 void add_unoffered(QTabWidget& tabs, QWidget* view, const QString& title) {
     tabs.addTab(view, title);
     show_tab(tabs, view, false);

@@ -22,7 +22,7 @@ std::string time_of_now() {
     return to_std(QDateTime::currentDateTimeUtc().toString(Qt::ISODate));
 }
 
-/// The same numbers, whenever they were computed.
+/// Whether both have the same numbers, whenever they were computed.
 bool same_origin(const UncertaintyResult& a, const UncertaintyResult& b) {
     const std::string& fingerprint = a.provenance.project_fingerprint;
     return !fingerprint.empty() && fingerprint == b.provenance.project_fingerprint;

@@ -385,7 +385,7 @@ void ScenePanel::give_equations_room() {
     flat_->setSizes({wanted, height() - wanted});
 }
 
-/// The scene with its tools; else the equations.
+/// Shows the scene with its tools; else the equations.
 void ScenePanel::show_in_space(bool in_space) {
     toolbar_->setVisible(in_space);
     view_->setVisible(in_space);

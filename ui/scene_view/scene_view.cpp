@@ -480,7 +480,7 @@ void SceneView::keyPressEvent(QKeyEvent* event) {
         QWidget::keyPressEvent(event);
 }
 
-/// Keys for what is selected.
+/// Acts on keys for the selected item; false: the key is none of them.
 bool SceneView::take_key(const QKeyEvent& event) {
     if (event.key() == Qt::Key_H && event.modifiers() == Qt::ShiftModifier)
         show_all();

@@ -42,7 +42,7 @@ void Style::drawControl(ControlElement element, const QStyleOption* option, QPai
         QProxyStyle::drawControl(element, option, painter, widget);
 }
 
-/// Labels that are shortened, or have another ink than what they stand on says.
+/// Draws labels that are shortened, or have another ink than the palette of their ground says.
 bool Style::draw_label(ControlElement element, const QStyleOption& option, QPainter& painter,
                        const QWidget* widget) const {
     const Tokens& t = tokens_of(option.palette);

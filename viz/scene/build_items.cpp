@@ -269,7 +269,7 @@ void add_meshes(SceneBuild& build, const std::vector<LayoutMesh>& meshes) {
     }
 }
 
-/// Points on the outline of a body, axes at its place, and lines that start from it and from no other.
+/// Attaches points on the outline of a body, axes at its place, and lines that start from it and no other.
 void attach_to_bodies(SceneBuild& build) {
     Scene& scene = build.scene;
     const double near = 1e-6 * scene.size;

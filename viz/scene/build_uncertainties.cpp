@@ -116,7 +116,7 @@ double automatic_magnification(const std::vector<UncertainPoint>& points, double
     return std::max(nearest_magnification(wanted), limits ? round_number_above(first_seen) : 0.0);
 }
 
-/// Around the places of the outputs, with air, where they are a small part of the whole.
+/// A box around the places of the outputs, with air, where they are a small part of the whole.
 std::optional<SceneBounds> focus_of(const std::vector<UncertainPoint>& points, double size) {
     constexpr double small = 0.2, margin = 0.3;
     constexpr std::size_t fewest = 3;

@@ -28,7 +28,7 @@ std::map<std::string, bool> items_in_picture(const Scene& scene, const Camera& c
     return seen;
 }
 
-/// Out of the picture now, and not for a turn of the camera.
+/// Whether an item is out of the picture now, and not for a turn of the camera.
 bool has_left(const std::pair<const std::string, bool>& item, const std::map<std::string, bool>& before) {
     const auto found = before.find(item.first);
     return !item.second && (found == before.end() || found->second);

@@ -26,7 +26,7 @@ private:
     std::string only_;
 };
 
-/// Lines of what is not drawn.
+/// Whether the line explains something that is drawn.
 bool explains(const LegendLine& line, const Scene& scene) {
     const auto is_role = [&](const auto& item) { return item.role == line.role; };
     switch (line.mark) {
@@ -64,7 +64,7 @@ std::vector<Eigen::Vector3d> places_of_hidden(const Scene& scene, const Visibili
     return places;
 }
 
-/// Lines that would end at nothing.
+/// Erases lines of sight that would end at nothing.
 void erase_sight_of_hidden(Scene& scene, const std::vector<Eigen::Vector3d>& places) {
     constexpr double same = 1e-9;  // m
     std::erase_if(scene.links, [&](const SceneLink& link) {

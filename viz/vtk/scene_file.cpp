@@ -51,7 +51,7 @@ vtkPolyData* mesh_of(vtkActor* actor) {
     return mapper->GetInput();
 }
 
-/// Relative to `origin`, in which single precision is enough.
+/// Actors of the scene relative to `origin`, about which single precision is enough.
 std::vector<WrittenActor> actors_in(const Scene& scene, const Vector& origin, ScenePalette palette) {
     std::vector<WrittenActor> actors;
     for (const Layer layer : written_layers)
