@@ -7155,16 +7155,8 @@
         <translation>%1 muss angegeben sein (&apos;%2&apos; fehlt)</translation>
     </message>
     <message>
-        <source>column &apos;%1&apos; of &apos;%2&apos; is %3; its unit is missing: write &quot;%1 [%4]&quot;</source>
-        <translation>Spalte &apos;%1&apos; von &apos;%2&apos; ist %3; die Einheit fehlt: &quot;%1 [%4]&quot; schreiben</translation>
-    </message>
-    <message>
         <source>column &apos;%1&apos; of &apos;%2&apos; is %3; &apos;%4&apos; is the unit of %5</source>
         <translation>Spalte &apos;%1&apos; von &apos;%2&apos; ist %3; &apos;%4&apos; ist die Einheit von etwas anderem: %5</translation>
-    </message>
-    <message>
-        <source>column &apos;%1&apos; of &apos;%2&apos; is a difference of temperatures: give it in K, not in %3</source>
-        <translation>Spalte &apos;%1&apos; von &apos;%2&apos; ist eine Temperaturdifferenz: in K angeben, nicht in %3</translation>
     </message>
     <message>
         <source>there is no field &apos;%1&apos; here%2</source>
@@ -7301,10 +7293,6 @@
     <message>
         <source>%1 is %2; %3 is %4</source>
         <translation>%1 ist %2; %3 ist %4</translation>
-    </message>
-    <message>
-        <source>%1 is a difference of temperatures: give it in K, not in %2</source>
-        <translation>%1 ist eine Temperaturdifferenz: in K angeben, nicht in %2</translation>
     </message>
     <message>
         <source>the result does not represent the measurand: more than 1 % of the trials have no value</source>
@@ -8795,10 +8783,6 @@
         <translation>eine Temperatur in %1 kann nicht multipliziert werden; etwas addieren oder ihre Werte angeben</translation>
     </message>
     <message>
-        <source>a difference of temperatures is given in K</source>
-        <translation>eine Temperaturdifferenz wird in K angegeben</translation>
-    </message>
-    <message>
         <source>a number that varies</source>
         <translation>eine Zahl, die variiert</translation>
     </message>
@@ -9003,10 +8987,6 @@
         <translation>Zeile %1 von %2 muss eine Liste in Klammern sein, nicht %3</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; in row %2 of %3 must be %4, not %5</source>
-        <translation>&apos;%1&apos; in Zeile %2 von %3 muss %4 sein, nicht %5</translation>
-    </message>
-    <message>
         <source>a text in quotes</source>
         <translation>ein Text in Anführungszeichen</translation>
     </message>
@@ -9039,20 +9019,12 @@
         <translation>%1 ist %2; die Einheit fehlt: {&quot;value&quot;: %3, &quot;unit&quot;: &quot;%4&quot;} schreiben</translation>
     </message>
     <message>
-        <source>%1 must be a number, not %2</source>
-        <translation>%1 muss eine Zahl sein, nicht %2</translation>
-    </message>
-    <message>
         <source>%1 must be a text in quotes, not %2</source>
         <translation>%1 muss ein Text in Anführungszeichen sein, nicht %2</translation>
     </message>
     <message>
         <source>the lines of %1 must be texts in quotes, each one line</source>
         <translation>die Zeilen von %1 müssen Texte in Anführungszeichen sein, jeder einzeilig</translation>
-    </message>
-    <message>
-        <source>%1 must be true or false, not %2</source>
-        <translation>%1 muss true oder false sein, nicht %2</translation>
     </message>
     <message>
         <source>&apos;%1&apos; of %2 must be a list of three numbers</source>
@@ -13819,18 +13791,6 @@
         <translation>%1 ist die Einheit einer Temperatur, und die Größe ist in %2 angegeben, worin sie eine Differenz sein kann: geben Sie beide in %1 oder beide in %2 an</translation>
     </message>
     <message>
-        <source>%1 is a temperature in degC, and here it would be taken in kelvin (20 degC as 293.15 K): if it is a difference, give it in K; for its reading in degC write (%2 - 0 [degC]). Only the ratio of two temperatures in degC is taken in kelvin</source>
-        <translation>%1 ist eine Temperatur in degC und würde hier in Kelvin genommen (20 degC als 293.15 K): ist sie eine Differenz, geben Sie sie in K an; für ihre Ablesung in degC schreiben Sie (%2 - 0 [degC]). Nur das Verhältnis zweier Temperaturen in degC wird in Kelvin genommen</translation>
-    </message>
-    <message>
-        <source>%1 is a multiple of a temperature in degC, which depends on where the scale has its zero: if the temperature is a difference, give it in K; else multiply its reading, as in 1.5*(t - 0 [degC])</source>
-        <translation>%1 ist ein Vielfaches einer Temperatur in degC, das davon abhängt, wo die Skala ihren Nullpunkt hat: ist die Temperatur eine Differenz, geben Sie sie in K an; sonst multiplizieren Sie ihre Ablesung, wie in 1.5*(t - 0 [degC])</translation>
-    </message>
-    <message>
-        <source>a part (%, ppm) or multiple of a temperature in %1 depends on where the scale has its zero: give the figure in K</source>
-        <translation>ein Teil (%, ppm) oder Vielfaches einer Temperatur in %1 hängt davon ab, wo die Skala ihren Nullpunkt hat: geben Sie die Zahl in K an</translation>
-    </message>
-    <message>
         <source>%1 is a difference of temperatures, and %2 a temperature in %3: take a temperature, or give %2 in K</source>
         <translation>%1 ist eine Temperaturdifferenz, und %2 eine Temperatur in %3: nehmen Sie eine Temperatur, oder geben Sie %2 in K an</translation>
     </message>
@@ -14063,24 +14023,8 @@
         <translation>&apos;%1&apos; ist komplex: führen Sie seine Teile %2 und %3 auf, oder definieren Sie abs(%1) und arg(%1) und führen diese auf</translation>
     </message>
     <message>
-        <source>a difference: %1 in K</source>
-        <translation>eine Differenz: %1 in K</translation>
-    </message>
-    <message>
-        <source>a thermodynamic temperature: %1 in K</source>
-        <translation>eine thermodynamische Temperatur: %1 in K</translation>
-    </message>
-    <message>
         <source>a difference: %1</source>
         <translation>eine Differenz: %1</translation>
-    </message>
-    <message>
-        <source>its reading in degC: %1 - 0 [degC]</source>
-        <translation>ihre Ablesung in degC: %1 - 0 [degC]</translation>
-    </message>
-    <message>
-        <source>a part of its reading in degC: %1 K</source>
-        <translation>ein Teil ihrer Ablesung in degC: %1 K</translation>
     </message>
     <message>
         <source>as stated with correlations, ISO/TS 28037, 10</source>
@@ -14161,10 +14105,6 @@
     <message>
         <source>more than %1 analyses feed each other in a row: put the equations of some of them into one</source>
         <translation>mehr als %1 Analysen speisen einander in einer Reihe: fassen Sie die Gleichungen einiger in einer zusammen</translation>
-    </message>
-    <message>
-        <source>a temperature: %1 in degC</source>
-        <translation>eine Temperatur: %1 in degC</translation>
     </message>
     <message>
         <source>%1 is a link that leads out of the project&apos;s folder: put the picture itself there</source>
@@ -14379,10 +14319,6 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     <message>
         <source>In Monte Carlo each trial is a solution with the derivatives at the estimates, repeated until it stands still.</source>
         <translation>Bei Monte Carlo ist jeder Versuch eine Lösung mit den Ableitungen bei den Schätzwerten, wiederholt, bis sie sich nicht mehr ändert.</translation>
-    </message>
-    <message>
-        <source>Map projections, refraction and the curvature of the Earth are not part of it: reduce the readings before.</source>
-        <translation>Kartenprojektionen, Refraktion und Erdkrümmung gehören nicht dazu: Reduzieren Sie die Ablesungen vorher.</translation>
     </message>
     <message>
         <source>Stations and targets alike, with what is known of them beforehand.</source>
@@ -15055,10 +14991,6 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     <message>
         <source>ellipsoids %1, %2</source>
         <translation>Ellipsoide %1, %2</translation>
-    </message>
-    <message>
-        <source>Which instrument read it: readings of one kind by one instrument rest on one figure when stated uncertainties are held against the residuals.</source>
-        <translation>Welches Messgerät sie abgelesen hat: Ablesungen einer Art von einem Messgerät beruhen auf einer Angabe, wenn angegebene Unsicherheiten an den Residuen geprüft werden.</translation>
     </message>
     <message>
         <source>Uncertainties of the readings</source>
@@ -16368,6 +16300,1294 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
         <source>−s</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Uncertainties of the points are used</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As stated; or as the residuals of least-squares frames see them: stated ones times one common factor, or times the factor of each figure (variance components). Either has the degrees of freedom of its estimate. What all points share stays as stated.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Zero, scale, refraction, index and collimation of an instrument are unknowns with or without a prior, which all of its readings share.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Map projections are not part of it: reduce the readings before. The curvature of the Earth counts in zenith angles where its radius is given.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which instrument read it: readings of one kind by one instrument rest on one figure when stated uncertainties are held against the residuals, and share its figures.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A reading that is left out stays in the table, and is told among those left out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Figures as seen in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another network, rounds of a total station say, whose residuals see what its readings are worth. Readings of the same kind and instrument get the standard uncertainty that it sees, with its degrees of freedom, and follow its readings; others stay as stated here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Figures of instruments</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What an instrument does to all of its readings alike, with what is known of it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name of the instrument, as in the column of the readings; empty: of all readings without one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What it does to all of its readings alike: its zero is added to distances, by its scale (weather correction included) they are longer, refraction bends its lines of sight, its index is added to zenith angles, its collimation over the sine of the zenith angle to directions.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>zero of distances</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>refraction coefficient</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>vertical index</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>knowledge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unknown: the readings tell it; stated with u: its value is one more reading, which all of the instrument&apos;s share; fixed without uncertainty.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The zero; 0 where it is empty.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of a stated zero.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The scale beyond 1, or the refraction coefficient.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>u of ratio</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of a stated scale or refraction coefficient.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The index or collimation; 0 where it is empty.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of a stated index or collimation.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Radius of the Earth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where the curvature of the Earth counts in zenith angles; empty: it does not.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Refraction coefficient</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of zenith angles, where the curvature of the Earth counts and no instrument states its own.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gross readings beyond</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Readings that miss what the others agree on (a robust adjustment) by more, an angle at its target, are left out; empty: none.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points that nothing tells</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>They are refused, by name; or left out with their readings, and told.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>are refused</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>are left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Outliers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All readings are kept, and the adjustment says which contradict the others; or the search begins robustly (Huber&apos;s weights), and readings with |w| beyond 3.29 are left out, each with its reason.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>are kept</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>robust start, and left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Uncertainties of the points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As stated; or as the distances of the points from their circles see them: stated ones times one common factor, or times the factor of each figure (variance components). Either has the degrees of freedom of its estimate. What all points share stays as stated.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Uncertainties of points and readings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As stated; or as the residuals of this fit see them: stated ones times one common factor, or times the factor of each figure (variance components). Either has the degrees of freedom of its estimate. What all poses share stays as stated.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stated ones weigh the points and are used as they are; or they are used as the residuals see them: times one common factor, or times one of x and one of y. Either has the degrees of freedom of its estimate. What all points share stays as stated.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Accuracy and repeatability of poses</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What ISO 9283 asks of a robot, from measured poses: AP and RP, distances, directions of approach, drift; with the uncertainty that few cycles and the instrument leave, and decisions about a maker&apos;s figures.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>RP of the standard comes out too small from few cycles: by 2 % from 30 and 7 % from 10, where the scatter is alike in all directions. The result is multiplied by what that is for the shape of the scatter seen; the table gives RP as the standard defines it beside it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scatter is taken to be normal. The law of RP for the number of cycles and the shape of the scatter comes from up to 4,000 simulated campaigns, always the same ones.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Limits and numbers of cycles of the standard are not built in: what is held against a figure is what is entered. Formulas of directions, distances and drift are those in common use; hold them against the text of the standard before a sheet names it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>RP² is split between robot and instrument as if both scattered in one shape.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Commanded poses</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where the robot was sent to.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name, unique: P1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Commanded coordinate x in the base of the robot.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Commanded coordinate y in the base of the robot.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Commanded coordinate z in the base of the robot.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Commanded angle of the orientation; empty: orientations are not evaluated.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Attained poses</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A row for every cycle in the order of measurement, typed, pasted or from a CSV file. The coordinates are those of the robot&apos;s base.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As in the commanded poses.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From where the pose was approached, where there are several ways; empty: one for all.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the series of cycles, where it is repeated to see a drift; empty: there is one series.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Attained coordinate x in the base of the robot.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Attained coordinate y in the base of the robot.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Attained coordinate z in the base of the robot.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Attained angle of the orientation.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pairs of poses whose distance is held against the commanded one, cycle by cycle.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A commanded pose.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another one, with as many cycles.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>u of a measured coordinate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Standard uncertainty that all cycles of a pose share: of the instrument and of the robot&apos;s base in its frame. It is part of u(AP), not of RP.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scatter of the instrument</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the instrument scatters by itself is part of RP. Where it is known, RP² less its RP² is that of the robot, if both scatter alike in all directions.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not taken out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its RP from a fixed target</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>readings of a fixed target</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>RP of the instrument alone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>l̄ + 3 s of readings of a fixed target, as measured in the cell.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its readings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Number of readings that it is taken from: so well is it known.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Readings of a fixed target</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Coordinates of a target that does not move, read as the poses were.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Read coordinate x.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Read coordinate y.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Read coordinate z.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Decisions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rated AP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The maker&apos;s figure; empty: nothing is decided.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rated RP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Probability of a decision</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A robot conforms where this is the probability that its figure is not above the rated one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>U of the instrument</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Expanded uncertainty of the measured position, k = 2; empty: it is not held against AP and RP.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest ratio of U to AP, RP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the standard or the contract allows, as it says it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Two-face and length tests of a tracker</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Errors of a laser tracker at the positions of its acceptance test, with the uncertainty of the test, and the decision whether they are within the maximum permissible errors.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Positions, numbers of repetitions and limits are those that are entered: none of a standard is built in.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The uncertainty of a test value is what the test adds, not the scatter of the tracker: that is what is tested.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A row for every position, typed, pasted or from a CSV file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Number or name of the position, unique.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Two-face: a fixed target read in both faces. Length: a reference length.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>two-face</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Two-face: distance across the beam between the readings of both faces. Length: as measured.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Calibrated length, of a length test.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distance of the target, or of the middle of the length, from the tracker.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its horizontal angle; empty: 0.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its angle above the horizon; empty: 0.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of this test value; empty: that of its kind, as below.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MPE</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Limit for this position; empty: it follows from constant and slope, as below.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Limits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MPE two-face, constant</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As the maker states it for a two-face test; empty: every two-face test has its own MPE.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MPE two-face, per metre</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Times the range of the target.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MPE length, constant</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As the maker states it; empty: every length has its own MPE.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MPE length, per metre</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Times the reference length.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Uncertainty of the test values</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>u of a two-face value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of what the test adds: seat of the reflector, motion of its mount. Not the scatter of the tracker, which is tested.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>u of a length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of what the test adds to each length: calibration, mounting, temperature. Not the scatter of the tracker.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>u of the scale of the references</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A position conforms where this is the probability that its error is within the MPE.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Accuracy and repeatability of a robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>AP and RP of ISO 9283 from measured poses, and whether the maker&apos;s figures are met.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Acceptance test of a tracker</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Two-face and length tests against their limits, with the uncertainty of the test.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Robot at five poses, thirty cycles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An industrial robot, sent thirty times to each of five poses and measured by a laser tracker: AP and RP after ISO 9283 with what thirty cycles and the tracker leave open of them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From rounds of a total station to a certificate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Four rounds of a total station say what its readings are worth: a network takes their figures as seen, a pose takes its points from the network, and the certificate states the pose.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Acceptance test of a laser tracker</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A laser tracker, tested with fixed reflectors read in both faces from three distances, and with a reference length of 2.3 m.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is a temperature in %3, and here it would be taken in kelvin (20 degC as 293.15 K): if it is a difference, give it in %4; for its reading in %3 write (%2 - 0 [%3]). Only the ratio of two temperatures in %3 is taken in kelvin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is a multiple of a temperature in %2, which depends on where the scale has its zero: if the temperature is a difference, give it in %3; else multiply its reading, as in 1.5*(t - 0 [%2])</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a part (%, ppm) or multiple of a temperature in %1 depends on where the scale has its zero: give the figure in %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a difference: %1 in %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>column &apos;%1&apos; of &apos;%2&apos; is %3; its unit is missing: write &quot;%4 [%5]&quot;</source>
+        <translation type="unfinished">Spalte &apos;%1&apos; von &apos;%2&apos; ist %3; die Einheit fehlt: &quot;%1 [%4]&quot; schreiben {1&apos;?} {2&apos;?} {3;?} {4 ?} {5]?}</translation>
+    </message>
+    <message>
+        <source>column &apos;%1&apos; of &apos;%2&apos; is a difference of temperatures: give it in %3, not in %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is a difference of temperatures: give it in %2, not in %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The figures of the set-up are too far apart in size for %1: the last digits of the estimates change its sensitivity coefficients by more than a tenth. Give coordinates from a place nearby.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>uncertainties as the residuals see them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stated figures of instruments</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 does not see these figures, so they stay as stated here: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>readings of figures that are seen elsewhere are correlated with others here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the readings from %1 agree if the names %2 and %3 are exchanged there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as seen in %1: %2 times what is stated here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the only direction of its round, whose orientation is not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it contradicts the others: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it contradicts the others: %1; it cannot be told apart from %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing tells them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>x and y of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the height of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing tells it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its point %1 is left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the height of %1 is left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it misses what the others agree on by %1 m, more than %2 m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>|w| = %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 times its u in a robust adjustment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>by hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is left out: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>and %1 more are left out, listed with their reasons</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>zero c and scale m of distances, index i, refraction k</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>all instruments</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the zero of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the scale of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the refraction coefficient of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the vertical index of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the collimation of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is stated twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 needs the radius of the Earth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no reading that %1 would change: readings say their instrument in their column</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>outlier? it cannot be told apart from %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the readings cannot tell %1 apart: add readings that see them differently, or state one of them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing tells %1: add readings that see it, or state it with u</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 readings cannot tell %2 unknowns (coordinates less what the datum takes, orientations, figures of instruments): add %3 readings at least, or state figures with u</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>instruments</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>base points, %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>points of the moving frame, %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>joint %1, point %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, off the plane</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, along the radius</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a thermodynamic temperature: %1 in %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its reading in %2: %1 - 0 [%2]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a part of its reading in %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a temperature: %1 in %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>y of the points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>x of the points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the distance in row %1 is too long</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 distances between %2 pillars are more than a baseline has: at most %3 between %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 cycles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>few cycles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 cycles, normal scatter of the shape seen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>barycentre of %1, %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>scatter of the cycles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>repeatability of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mean deviation of angle %1 of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>repeatability of angle %1 of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>instrument and base of the robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>error of the measured place of %1, %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mean distance %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>repeatability of distance %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>repeatability of the instrument alone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ISO 9283, accuracy of a pose</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ISO 9283, repeatability; c = RP(∞)/RP(n) by simulated campaigns</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>without the instrument, where both scatter in one shape</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of several directions of approach</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>distances between poses</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>drift</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>accuracy of the pose</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>repeatability of the pose</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>repeatability of the robot alone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>share of the instrument in RP²</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>accuracy of angle %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>repeatability of angle %1, ±</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>variation of the accuracy over the directions of approach</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>drift of the accuracy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>drift of the repeatability</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>accuracy of the distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>repeatability of the distance, ±</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the instrument alone scatters as much as what it measured at %1: nothing is left that could be called the robot&apos;s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>two series are called &apos;%1&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no commanded pose &apos;%1&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has fewer than three cycles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>row %1 has angles, though its pose is commanded without them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>row %1 has no angles, though its pose is commanded with them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the coordinates at %1 are too large</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pose &apos;%1&apos; is commanded twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pose &apos;%1&apos; is commanded with some angles and without others</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>some poses are commanded with all angles and others are not</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no cycles were measured at pose &apos;%1&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a distance from pose &apos;%1&apos; to itself</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the distance from &apos;%1&apos; to &apos;%2&apos; is there twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>poses &apos;%1&apos; and &apos;%2&apos; have different numbers of cycles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the coordinates of the fixed target in row %1 are too large</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>U of the instrument and the largest ratio go together: enter both, or neither</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>AP by scatter alone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>RP, few cycles allowed for</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>u of it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where AP is not twice what the scatter of the cycles alone makes of it, it says little about the robot.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>largest s of an axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>middle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>smallest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mean RP over that of many cycles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>relative u of RP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>conforms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>does not conform</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not decided</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>probability of conformity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>risk that it is wrong</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cycles that would decide</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>AP of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>RP of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>U of the instrument over AP of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>U of the instrument over RP of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>poses</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mean AP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>largest AP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>quantile of AP for the probability of a decision</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 poses are too few to bound this quantile: the largest of %2 poses does, with the same probability.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>two-face: distance of both readings across the beam</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>length; a: scale of the references</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>decision, ISO 14253-1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>scale of the reference lengths</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>uncertainty of the test</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>uncertainty of the test values</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>measured length at position %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>distance of both faces at position %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>error at position %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there are two tests of position &apos;%1&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the length at position &apos;%1&apos; has no reference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the two-face test of position &apos;%1&apos; has a reference length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing says the MPE of position &apos;%1&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The tracker conforms at every position.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The tracker does not conform.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Some positions are not decided: the test is not good enough to tell.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>distance %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pose %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>directions of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>drift of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>base of the robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>references</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tracker</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; in row %2 of %3 must be %4, not %5: %6</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 must be a number, not %2: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 must be true or false, not %2: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a difference of temperatures is given in %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>write true or false, without quotes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>write a text in quotes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>write it in quotes: &quot;%1&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>write a number without quotes, such as 0.25, or null where there is none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>write %1, without quotes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>write a number in %1, the unit of the column, without quotes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>write %1, without quotes: the unit of the column is %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>write %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>observations that miss what the others agree on by more than %1 m, and points that nothing tells, are left out, as Gama does</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file asks for standard deviations a posteriori: for these choose uncertainties as seen, one factor s_0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: readings are not reduced to an ellipsoid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>update-constrained-coordinates: the datum keeps the coordinates of the file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Accuracy and repeatability, from the cycles as they are</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cycles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What few cycles do to RP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Conformity with the maker&apos;s figures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>decision</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Is the instrument good enough</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>AP over the poses</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Accuracy and repeatability of the poses</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>AP, RP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>AP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>RP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rated AP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rated RP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Decisions after ISO 14253-1</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -16877,6 +18097,22 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
         <source>out of date</source>
         <translation>veraltet</translation>
     </message>
+    <message>
+        <source>Kept projects</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recover</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Later</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::AllResultsModel</name>
@@ -17042,6 +18278,10 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
         <source>Goes to the field that must be given next</source>
         <translation>Geht zu dem Feld, das als Nächstes anzugeben ist</translation>
     </message>
+    <message>
+        <source>Show the Field</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::AssetEvaluation</name>
@@ -17191,6 +18431,10 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     <message>
         <source>in the laboratory, or at the place stated</source>
         <translation>im Laboratorium oder am angegebenen Ort</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation type="unfinished">%1 von %2</translation>
     </message>
 </context>
 <context>
@@ -18537,6 +19781,13 @@ An diesen Stellen steht „nicht angegeben“. Es sind Felder der Seite des Proj
     </message>
 </context>
 <context>
+    <name>covaria::ui::FoldGroups</name>
+    <message>
+        <source>none</source>
+        <translation type="unfinished">keine</translation>
+    </message>
+</context>
+<context>
     <name>covaria::ui::HelpActions</name>
     <message>
         <source>Help</source>
@@ -18873,8 +20124,8 @@ An diesen Stellen steht „nicht angegeben“. Es sind Felder der Seite des Proj
         <translation>Beobachtungen</translation>
     </message>
     <message>
-        <source>Notes</source>
-        <translation>Notizen</translation>
+        <source>Notes on the quantity</source>
+        <translation type="unfinished">Notizen zur Größe</translation>
     </message>
 </context>
 <context>
@@ -18894,6 +20145,25 @@ An diesen Stellen steht „nicht angegeben“. Es sind Felder der Seite des Proj
     <message>
         <source>Run</source>
         <translation>Ausführen</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::InspectorHead</name>
+    <message>
+        <source>Entry before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Entry after</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Properties</source>
+        <translation type="unfinished">Eigenschaften</translation>
+    </message>
+    <message>
+        <source>Project and documents</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -19154,6 +20424,14 @@ Gewählt: %2</translation>
     <message>
         <source>First &amp;Steps</source>
         <translation>Erste &amp;Schritte</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation type="unfinished">Ausführen</translation>
+    </message>
+    <message>
+        <source>Document</source>
+        <translation type="unfinished">Dokument</translation>
     </message>
 </context>
 <context>
@@ -19708,6 +20986,10 @@ Verwendet von: %1. Dort steht ein Fehler, bis etwas anderes verwendet wird.</tra
         <source>Dup&amp;licate</source>
         <translation>D&amp;uplizieren</translation>
     </message>
+    <message>
+        <source>Add an analysis or what it uses</source>
+        <translation type="unfinished">Eine Analyse hinzufügen oder was sie verwendet</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::ProjectTreeModel</name>
@@ -19789,14 +21071,6 @@ Verwendet von: %1. Dort steht ein Fehler, bis etwas anderes verwendet wird.</tra
     <message>
         <source>Select an entry of the project tree to see its properties.</source>
         <translation>Einen Eintrag des Projektbaums auswählen, um seine Eigenschaften zu sehen.</translation>
-    </message>
-    <message>
-        <source>Properties</source>
-        <translation>Eigenschaften</translation>
-    </message>
-    <message>
-        <source>Set-up</source>
-        <translation>Aufbau</translation>
     </message>
     <message>
         <source>Project</source>
@@ -20269,10 +21543,6 @@ Verwendet von: %1. Dort steht ein Fehler, bis etwas anderes verwendet wird.</tra
         <translation>, %1 Millionen/s</translation>
     </message>
     <message>
-        <source>, %1 s left</source>
-        <translation>, noch %1 s</translation>
-    </message>
-    <message>
         <source>Progress of the run</source>
         <translation>Fortschritt des Laufs</translation>
     </message>
@@ -20315,6 +21585,18 @@ Verwendet von: %1. Dort steht ein Fehler, bis etwas anderes verwendet wird.</tra
     <message>
         <source>%1, kept state: </source>
         <translation>%1, gemerkter Stand: </translation>
+    </message>
+    <message>
+        <source>%1 s left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 min left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 h left</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -20553,6 +21835,10 @@ Verwendet von: %1. Dort steht ein Fehler, bis etwas anderes verwendet wird.</tra
         <source>help: %1</source>
         <translation>Hilfe: %1</translation>
     </message>
+    <message>
+        <source>group</source>
+        <translation type="unfinished">Gruppe</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::SearchPalette</name>
@@ -20629,6 +21915,10 @@ Verwendet von: %1. Dort steht ein Fehler, bis etwas anderes verwendet wird.</tra
     <message>
         <source>Take over uncertainties as seen</source>
         <translation>Unsicherheiten wie gesehen übernehmen</translation>
+    </message>
+    <message>
+        <source>Go to Source</source>
+        <translation type="unfinished">Zur Quelle</translation>
     </message>
 </context>
 <context>
@@ -20901,6 +22191,10 @@ Verwendet von: %1. Dort steht ein Fehler, bis etwas anderes verwendet wird.</tra
     <message>
         <source>Project …</source>
         <translation>Projekt …</translation>
+    </message>
+    <message>
+        <source>Show All %1</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -21251,6 +22545,10 @@ Verwendet von: %1. Dort steht ein Fehler, bis etwas anderes verwendet wird.</tra
     <message>
         <source>Shows also the columns that no row has something in</source>
         <translation>Zeigt auch die Spalten, in denen keine Zeile etwas hat</translation>
+    </message>
+    <message>
+        <source>Fill down</source>
+        <translation type="unfinished">Nach unten ausfüllen</translation>
     </message>
 </context>
 <context>

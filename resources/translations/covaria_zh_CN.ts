@@ -7154,16 +7154,8 @@
         <translation>必须给出 %1（缺少 &apos;%2&apos;）</translation>
     </message>
     <message>
-        <source>column &apos;%1&apos; of &apos;%2&apos; is %3; its unit is missing: write &quot;%1 [%4]&quot;</source>
-        <translation>&apos;%2&apos; 的列 &apos;%1&apos; 是%3；缺少其单位：请写 &quot;%1 [%4]&quot;</translation>
-    </message>
-    <message>
         <source>column &apos;%1&apos; of &apos;%2&apos; is %3; &apos;%4&apos; is the unit of %5</source>
         <translation>&apos;%2&apos; 的列 &apos;%1&apos; 是%3；&apos;%4&apos; 是%5的单位</translation>
-    </message>
-    <message>
-        <source>column &apos;%1&apos; of &apos;%2&apos; is a difference of temperatures: give it in K, not in %3</source>
-        <translation>&apos;%2&apos; 的列 &apos;%1&apos; 是温度差：请以 K 给出，不要以 %3</translation>
     </message>
     <message>
         <source>there is no field &apos;%1&apos; here%2</source>
@@ -7300,10 +7292,6 @@
     <message>
         <source>%1 is %2; %3 is %4</source>
         <translation>%1 为%2；%3 为%4</translation>
-    </message>
-    <message>
-        <source>%1 is a difference of temperatures: give it in K, not in %2</source>
-        <translation>%1 是温度差：请以 K 给出，不要以 %2</translation>
     </message>
     <message>
         <source>the result does not represent the measurand: more than 1 % of the trials have no value</source>
@@ -8794,10 +8782,6 @@
         <translation>以 %1 表示的温度不能乘以因子；请加上增量，或给出其值</translation>
     </message>
     <message>
-        <source>a difference of temperatures is given in K</source>
-        <translation>温度差以 K 给出</translation>
-    </message>
-    <message>
         <source>a number that varies</source>
         <translation>变化的数值</translation>
     </message>
@@ -9002,10 +8986,6 @@
         <translation>%2 的第 %1 行必须是方括号中的列表，而不是 %3</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; in row %2 of %3 must be %4, not %5</source>
-        <translation>%3 第 %2 行的 &apos;%1&apos; 必须是%4，而不是 %5</translation>
-    </message>
-    <message>
         <source>a text in quotes</source>
         <translation>带引号的文本</translation>
     </message>
@@ -9038,20 +9018,12 @@
         <translation>%1 是%2；缺少其单位：请写 {&quot;value&quot;: %3, &quot;unit&quot;: &quot;%4&quot;}</translation>
     </message>
     <message>
-        <source>%1 must be a number, not %2</source>
-        <translation>%1 必须是数字，而不是 %2</translation>
-    </message>
-    <message>
         <source>%1 must be a text in quotes, not %2</source>
         <translation>%1 必须是带引号的文本，而不是 %2</translation>
     </message>
     <message>
         <source>the lines of %1 must be texts in quotes, each one line</source>
         <translation>%1 的各行必须是带引号的文本，每个一行</translation>
-    </message>
-    <message>
-        <source>%1 must be true or false, not %2</source>
-        <translation>%1 必须是 true 或 false，而不是 %2</translation>
     </message>
     <message>
         <source>&apos;%1&apos; of %2 must be a list of three numbers</source>
@@ -13818,18 +13790,6 @@
         <translation>%1 是温度的单位，而该量以 %2 给出，在其中可能是温差：两者都用 %1，或都用 %2</translation>
     </message>
     <message>
-        <source>%1 is a temperature in degC, and here it would be taken in kelvin (20 degC as 293.15 K): if it is a difference, give it in K; for its reading in degC write (%2 - 0 [degC]). Only the ratio of two temperatures in degC is taken in kelvin</source>
-        <translation>%1 是以 degC 表示的温度，在此将按开尔文取值（20 degC 即 293.15 K）：若是温差，请以 K 给出；若是其 degC 读数，请写 (%2 - 0 [degC])。只有两个 degC 温度的比值才按开尔文取值</translation>
-    </message>
-    <message>
-        <source>%1 is a multiple of a temperature in degC, which depends on where the scale has its zero: if the temperature is a difference, give it in K; else multiply its reading, as in 1.5*(t - 0 [degC])</source>
-        <translation>%1 是 degC 温度的倍数，它取决于标度零点的位置：若温度是温差，请以 K 给出；否则乘其读数，如 1.5*(t - 0 [degC])</translation>
-    </message>
-    <message>
-        <source>a part (%, ppm) or multiple of a temperature in %1 depends on where the scale has its zero: give the figure in K</source>
-        <translation>以 %1 表示的温度的一部分（%、ppm）或倍数取决于标度零点的位置：请以 K 给出该数</translation>
-    </message>
-    <message>
         <source>%1 is a difference of temperatures, and %2 a temperature in %3: take a temperature, or give %2 in K</source>
         <translation>%1 是温差，而 %2 是以 %3 表示的温度：请取一个温度，或以 K 给出 %2</translation>
     </message>
@@ -14062,24 +14022,8 @@
         <translation>&apos;%1&apos; 是复数：请列出其部分 %2 和 %3，或定义 abs(%1) 和 arg(%1) 并列出它们</translation>
     </message>
     <message>
-        <source>a difference: %1 in K</source>
-        <translation>温差：%1 以 K 为单位</translation>
-    </message>
-    <message>
-        <source>a thermodynamic temperature: %1 in K</source>
-        <translation>热力学温度：%1 以 K 为单位</translation>
-    </message>
-    <message>
         <source>a difference: %1</source>
         <translation>温差：%1</translation>
-    </message>
-    <message>
-        <source>its reading in degC: %1 - 0 [degC]</source>
-        <translation>其 degC 读数：%1 - 0 [degC]</translation>
-    </message>
-    <message>
-        <source>a part of its reading in degC: %1 K</source>
-        <translation>其 degC 读数的一部分：%1 K</translation>
     </message>
     <message>
         <source>as stated with correlations, ISO/TS 28037, 10</source>
@@ -14160,10 +14104,6 @@
     <message>
         <source>more than %1 analyses feed each other in a row: put the equations of some of them into one</source>
         <translation>超过 %1 个分析依次相互供给：请将其中一些的方程合为一个</translation>
-    </message>
-    <message>
-        <source>a temperature: %1 in degC</source>
-        <translation>温度：%1 以 degC 为单位</translation>
     </message>
     <message>
         <source>%1 is a link that leads out of the project&apos;s folder: put the picture itself there</source>
@@ -14378,10 +14318,6 @@ sample 1; 2; 3 weights 2; 5; 2（按原样抽取），histogram 0; 1; 2 weights 
     <message>
         <source>In Monte Carlo each trial is a solution with the derivatives at the estimates, repeated until it stands still.</source>
         <translation>在蒙特卡洛中，每次试验都用估计值处的导数求解，并重复到不再变化为止。</translation>
-    </message>
-    <message>
-        <source>Map projections, refraction and the curvature of the Earth are not part of it: reduce the readings before.</source>
-        <translation>不包括地图投影、折光和地球曲率：请事先归算读数。</translation>
     </message>
     <message>
         <source>Stations and targets alike, with what is known of them beforehand.</source>
@@ -15054,10 +14990,6 @@ sample 1; 2; 3 weights 2; 5; 2（按原样抽取），histogram 0; 1; 2 weights 
     <message>
         <source>ellipsoids %1, %2</source>
         <translation>椭球 %1，%2</translation>
-    </message>
-    <message>
-        <source>Which instrument read it: readings of one kind by one instrument rest on one figure when stated uncertainties are held against the residuals.</source>
-        <translation>由哪台仪器读取：将给出的不确定度与残差对照时，同一仪器的同类读数依据同一指标。</translation>
     </message>
     <message>
         <source>Uncertainties of the readings</source>
@@ -16367,6 +16299,1294 @@ sample 1; 2; 3 weights 2; 5; 2（按原样抽取），histogram 0; 1; 2 weights 
         <source>−s</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Uncertainties of the points are used</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As stated; or as the residuals of least-squares frames see them: stated ones times one common factor, or times the factor of each figure (variance components). Either has the degrees of freedom of its estimate. What all points share stays as stated.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Zero, scale, refraction, index and collimation of an instrument are unknowns with or without a prior, which all of its readings share.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Map projections are not part of it: reduce the readings before. The curvature of the Earth counts in zenith angles where its radius is given.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which instrument read it: readings of one kind by one instrument rest on one figure when stated uncertainties are held against the residuals, and share its figures.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A reading that is left out stays in the table, and is told among those left out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Figures as seen in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another network, rounds of a total station say, whose residuals see what its readings are worth. Readings of the same kind and instrument get the standard uncertainty that it sees, with its degrees of freedom, and follow its readings; others stay as stated here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Figures of instruments</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What an instrument does to all of its readings alike, with what is known of it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name of the instrument, as in the column of the readings; empty: of all readings without one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What it does to all of its readings alike: its zero is added to distances, by its scale (weather correction included) they are longer, refraction bends its lines of sight, its index is added to zenith angles, its collimation over the sine of the zenith angle to directions.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>zero of distances</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>refraction coefficient</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>vertical index</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>knowledge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unknown: the readings tell it; stated with u: its value is one more reading, which all of the instrument&apos;s share; fixed without uncertainty.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The zero; 0 where it is empty.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of a stated zero.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The scale beyond 1, or the refraction coefficient.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>u of ratio</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of a stated scale or refraction coefficient.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The index or collimation; 0 where it is empty.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of a stated index or collimation.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Radius of the Earth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where the curvature of the Earth counts in zenith angles; empty: it does not.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Refraction coefficient</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of zenith angles, where the curvature of the Earth counts and no instrument states its own.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gross readings beyond</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Readings that miss what the others agree on (a robust adjustment) by more, an angle at its target, are left out; empty: none.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points that nothing tells</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>They are refused, by name; or left out with their readings, and told.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>are refused</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>are left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Outliers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All readings are kept, and the adjustment says which contradict the others; or the search begins robustly (Huber&apos;s weights), and readings with |w| beyond 3.29 are left out, each with its reason.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>are kept</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>robust start, and left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Uncertainties of the points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As stated; or as the distances of the points from their circles see them: stated ones times one common factor, or times the factor of each figure (variance components). Either has the degrees of freedom of its estimate. What all points share stays as stated.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Uncertainties of points and readings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As stated; or as the residuals of this fit see them: stated ones times one common factor, or times the factor of each figure (variance components). Either has the degrees of freedom of its estimate. What all poses share stays as stated.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stated ones weigh the points and are used as they are; or they are used as the residuals see them: times one common factor, or times one of x and one of y. Either has the degrees of freedom of its estimate. What all points share stays as stated.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Accuracy and repeatability of poses</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What ISO 9283 asks of a robot, from measured poses: AP and RP, distances, directions of approach, drift; with the uncertainty that few cycles and the instrument leave, and decisions about a maker&apos;s figures.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>RP of the standard comes out too small from few cycles: by 2 % from 30 and 7 % from 10, where the scatter is alike in all directions. The result is multiplied by what that is for the shape of the scatter seen; the table gives RP as the standard defines it beside it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scatter is taken to be normal. The law of RP for the number of cycles and the shape of the scatter comes from up to 4,000 simulated campaigns, always the same ones.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Limits and numbers of cycles of the standard are not built in: what is held against a figure is what is entered. Formulas of directions, distances and drift are those in common use; hold them against the text of the standard before a sheet names it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>RP² is split between robot and instrument as if both scattered in one shape.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Commanded poses</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where the robot was sent to.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name, unique: P1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Commanded coordinate x in the base of the robot.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Commanded coordinate y in the base of the robot.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Commanded coordinate z in the base of the robot.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Commanded angle of the orientation; empty: orientations are not evaluated.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Attained poses</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A row for every cycle in the order of measurement, typed, pasted or from a CSV file. The coordinates are those of the robot&apos;s base.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As in the commanded poses.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From where the pose was approached, where there are several ways; empty: one for all.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the series of cycles, where it is repeated to see a drift; empty: there is one series.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Attained coordinate x in the base of the robot.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Attained coordinate y in the base of the robot.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Attained coordinate z in the base of the robot.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Attained angle of the orientation.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pairs of poses whose distance is held against the commanded one, cycle by cycle.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A commanded pose.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another one, with as many cycles.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>u of a measured coordinate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Standard uncertainty that all cycles of a pose share: of the instrument and of the robot&apos;s base in its frame. It is part of u(AP), not of RP.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scatter of the instrument</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the instrument scatters by itself is part of RP. Where it is known, RP² less its RP² is that of the robot, if both scatter alike in all directions.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not taken out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its RP from a fixed target</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>readings of a fixed target</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>RP of the instrument alone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>l̄ + 3 s of readings of a fixed target, as measured in the cell.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its readings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Number of readings that it is taken from: so well is it known.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Readings of a fixed target</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Coordinates of a target that does not move, read as the poses were.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Read coordinate x.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Read coordinate y.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Read coordinate z.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Decisions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rated AP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The maker&apos;s figure; empty: nothing is decided.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rated RP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Probability of a decision</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A robot conforms where this is the probability that its figure is not above the rated one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>U of the instrument</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Expanded uncertainty of the measured position, k = 2; empty: it is not held against AP and RP.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest ratio of U to AP, RP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the standard or the contract allows, as it says it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Two-face and length tests of a tracker</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Errors of a laser tracker at the positions of its acceptance test, with the uncertainty of the test, and the decision whether they are within the maximum permissible errors.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Positions, numbers of repetitions and limits are those that are entered: none of a standard is built in.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The uncertainty of a test value is what the test adds, not the scatter of the tracker: that is what is tested.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A row for every position, typed, pasted or from a CSV file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Number or name of the position, unique.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Two-face: a fixed target read in both faces. Length: a reference length.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>two-face</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Two-face: distance across the beam between the readings of both faces. Length: as measured.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Calibrated length, of a length test.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distance of the target, or of the middle of the length, from the tracker.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its horizontal angle; empty: 0.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its angle above the horizon; empty: 0.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of this test value; empty: that of its kind, as below.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MPE</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Limit for this position; empty: it follows from constant and slope, as below.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Limits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MPE two-face, constant</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As the maker states it for a two-face test; empty: every two-face test has its own MPE.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MPE two-face, per metre</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Times the range of the target.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MPE length, constant</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As the maker states it; empty: every length has its own MPE.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MPE length, per metre</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Times the reference length.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Uncertainty of the test values</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>u of a two-face value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of what the test adds: seat of the reflector, motion of its mount. Not the scatter of the tracker, which is tested.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>u of a length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of what the test adds to each length: calibration, mounting, temperature. Not the scatter of the tracker.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>u of the scale of the references</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A position conforms where this is the probability that its error is within the MPE.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Accuracy and repeatability of a robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>AP and RP of ISO 9283 from measured poses, and whether the maker&apos;s figures are met.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Acceptance test of a tracker</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Two-face and length tests against their limits, with the uncertainty of the test.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Robot at five poses, thirty cycles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An industrial robot, sent thirty times to each of five poses and measured by a laser tracker: AP and RP after ISO 9283 with what thirty cycles and the tracker leave open of them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From rounds of a total station to a certificate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Four rounds of a total station say what its readings are worth: a network takes their figures as seen, a pose takes its points from the network, and the certificate states the pose.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Acceptance test of a laser tracker</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A laser tracker, tested with fixed reflectors read in both faces from three distances, and with a reference length of 2.3 m.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is a temperature in %3, and here it would be taken in kelvin (20 degC as 293.15 K): if it is a difference, give it in %4; for its reading in %3 write (%2 - 0 [%3]). Only the ratio of two temperatures in %3 is taken in kelvin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is a multiple of a temperature in %2, which depends on where the scale has its zero: if the temperature is a difference, give it in %3; else multiply its reading, as in 1.5*(t - 0 [%2])</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a part (%, ppm) or multiple of a temperature in %1 depends on where the scale has its zero: give the figure in %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a difference: %1 in %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>column &apos;%1&apos; of &apos;%2&apos; is %3; its unit is missing: write &quot;%4 [%5]&quot;</source>
+        <translation type="unfinished">&apos;%2&apos; 的列 &apos;%1&apos; 是%3；缺少其单位：请写 &quot;%1 [%4]&quot; {1&apos;?} {2&apos;?} {3;?} {4 ?} {5]?}</translation>
+    </message>
+    <message>
+        <source>column &apos;%1&apos; of &apos;%2&apos; is a difference of temperatures: give it in %3, not in %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is a difference of temperatures: give it in %2, not in %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The figures of the set-up are too far apart in size for %1: the last digits of the estimates change its sensitivity coefficients by more than a tenth. Give coordinates from a place nearby.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>uncertainties as the residuals see them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stated figures of instruments</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 does not see these figures, so they stay as stated here: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>readings of figures that are seen elsewhere are correlated with others here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the readings from %1 agree if the names %2 and %3 are exchanged there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as seen in %1: %2 times what is stated here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the only direction of its round, whose orientation is not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it contradicts the others: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it contradicts the others: %1; it cannot be told apart from %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing tells them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>x and y of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the height of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing tells it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its point %1 is left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the height of %1 is left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it misses what the others agree on by %1 m, more than %2 m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>|w| = %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 times its u in a robust adjustment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>by hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is left out: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>and %1 more are left out, listed with their reasons</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>zero c and scale m of distances, index i, refraction k</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>all instruments</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the zero of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the scale of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the refraction coefficient of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the vertical index of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the collimation of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is stated twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 needs the radius of the Earth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no reading that %1 would change: readings say their instrument in their column</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>outlier? it cannot be told apart from %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the readings cannot tell %1 apart: add readings that see them differently, or state one of them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing tells %1: add readings that see it, or state it with u</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 readings cannot tell %2 unknowns (coordinates less what the datum takes, orientations, figures of instruments): add %3 readings at least, or state figures with u</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>instruments</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>base points, %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>points of the moving frame, %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>joint %1, point %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, off the plane</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, along the radius</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a thermodynamic temperature: %1 in %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its reading in %2: %1 - 0 [%2]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a part of its reading in %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a temperature: %1 in %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>y of the points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>x of the points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the distance in row %1 is too long</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 distances between %2 pillars are more than a baseline has: at most %3 between %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 cycles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>few cycles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 cycles, normal scatter of the shape seen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>barycentre of %1, %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>scatter of the cycles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>repeatability of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mean deviation of angle %1 of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>repeatability of angle %1 of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>instrument and base of the robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>error of the measured place of %1, %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mean distance %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>repeatability of distance %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>repeatability of the instrument alone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ISO 9283, accuracy of a pose</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ISO 9283, repeatability; c = RP(∞)/RP(n) by simulated campaigns</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>without the instrument, where both scatter in one shape</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of several directions of approach</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>distances between poses</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>drift</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>accuracy of the pose</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>repeatability of the pose</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>repeatability of the robot alone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>share of the instrument in RP²</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>accuracy of angle %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>repeatability of angle %1, ±</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>variation of the accuracy over the directions of approach</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>drift of the accuracy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>drift of the repeatability</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>accuracy of the distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>repeatability of the distance, ±</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the instrument alone scatters as much as what it measured at %1: nothing is left that could be called the robot&apos;s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>two series are called &apos;%1&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no commanded pose &apos;%1&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has fewer than three cycles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>row %1 has angles, though its pose is commanded without them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>row %1 has no angles, though its pose is commanded with them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the coordinates at %1 are too large</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pose &apos;%1&apos; is commanded twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pose &apos;%1&apos; is commanded with some angles and without others</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>some poses are commanded with all angles and others are not</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no cycles were measured at pose &apos;%1&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a distance from pose &apos;%1&apos; to itself</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the distance from &apos;%1&apos; to &apos;%2&apos; is there twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>poses &apos;%1&apos; and &apos;%2&apos; have different numbers of cycles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the coordinates of the fixed target in row %1 are too large</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>U of the instrument and the largest ratio go together: enter both, or neither</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>AP by scatter alone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>RP, few cycles allowed for</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>u of it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where AP is not twice what the scatter of the cycles alone makes of it, it says little about the robot.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>largest s of an axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>middle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>smallest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mean RP over that of many cycles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>relative u of RP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>conforms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>does not conform</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not decided</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>probability of conformity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>risk that it is wrong</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cycles that would decide</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>AP of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>RP of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>U of the instrument over AP of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>U of the instrument over RP of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>poses</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mean AP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>largest AP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>quantile of AP for the probability of a decision</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 poses are too few to bound this quantile: the largest of %2 poses does, with the same probability.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>two-face: distance of both readings across the beam</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>length; a: scale of the references</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>decision, ISO 14253-1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>scale of the reference lengths</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>uncertainty of the test</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>uncertainty of the test values</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>measured length at position %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>distance of both faces at position %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>error at position %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there are two tests of position &apos;%1&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the length at position &apos;%1&apos; has no reference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the two-face test of position &apos;%1&apos; has a reference length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing says the MPE of position &apos;%1&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The tracker conforms at every position.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The tracker does not conform.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Some positions are not decided: the test is not good enough to tell.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>distance %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pose %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>directions of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>drift of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>base of the robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>references</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tracker</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; in row %2 of %3 must be %4, not %5: %6</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 must be a number, not %2: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 must be true or false, not %2: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a difference of temperatures is given in %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>write true or false, without quotes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>write a text in quotes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>write it in quotes: &quot;%1&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>write a number without quotes, such as 0.25, or null where there is none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>write %1, without quotes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>write a number in %1, the unit of the column, without quotes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>write %1, without quotes: the unit of the column is %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>write %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>observations that miss what the others agree on by more than %1 m, and points that nothing tells, are left out, as Gama does</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file asks for standard deviations a posteriori: for these choose uncertainties as seen, one factor s_0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: readings are not reduced to an ellipsoid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>update-constrained-coordinates: the datum keeps the coordinates of the file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Accuracy and repeatability, from the cycles as they are</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cycles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What few cycles do to RP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Conformity with the maker&apos;s figures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>decision</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Is the instrument good enough</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>AP over the poses</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Accuracy and repeatability of the poses</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>AP, RP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>AP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>RP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rated AP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rated RP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Decisions after ISO 14253-1</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -16876,6 +18096,22 @@ sample 1; 2; 3 weights 2; 5; 2（按原样抽取），histogram 0; 1; 2 weights 
         <source>out of date</source>
         <translation>已过期</translation>
     </message>
+    <message>
+        <source>Kept projects</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recover</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Later</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::AllResultsModel</name>
@@ -17041,6 +18277,10 @@ sample 1; 2; 3 weights 2; 5; 2（按原样抽取），histogram 0; 1; 2 weights 
         <source>Goes to the field that must be given next</source>
         <translation>转到下一个必须给出的字段</translation>
     </message>
+    <message>
+        <source>Show the Field</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::AssetEvaluation</name>
@@ -17190,6 +18430,10 @@ sample 1; 2; 3 weights 2; 5; 2（按原样抽取），histogram 0; 1; 2 weights 
     <message>
         <source>in the laboratory, or at the place stated</source>
         <translation>在实验室，或在给出的地点</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -18533,6 +19777,13 @@ It says “not stated” in these places. They are fields of the project&apos;s 
     </message>
 </context>
 <context>
+    <name>covaria::ui::FoldGroups</name>
+    <message>
+        <source>none</source>
+        <translation type="unfinished">无</translation>
+    </message>
+</context>
+<context>
     <name>covaria::ui::HelpActions</name>
     <message>
         <source>Help</source>
@@ -18869,8 +20120,8 @@ It says “not stated” in these places. They are fields of the project&apos;s 
         <translation>观测值</translation>
     </message>
     <message>
-        <source>Notes</source>
-        <translation>附注</translation>
+        <source>Notes on the quantity</source>
+        <translation type="unfinished">关于该量的附注</translation>
     </message>
 </context>
 <context>
@@ -18890,6 +20141,25 @@ It says “not stated” in these places. They are fields of the project&apos;s 
     <message>
         <source>Run</source>
         <translation>运行</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::InspectorHead</name>
+    <message>
+        <source>Entry before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Entry after</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Properties</source>
+        <translation type="unfinished">属性</translation>
+    </message>
+    <message>
+        <source>Project and documents</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -19150,6 +20420,14 @@ Chosen: %2</source>
     <message>
         <source>First &amp;Steps</source>
         <translation>入门(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation type="unfinished">运行</translation>
+    </message>
+    <message>
+        <source>Document</source>
+        <translation type="unfinished">文档</translation>
     </message>
 </context>
 <context>
@@ -19704,6 +20982,10 @@ It is used by: %1. They will have an error until they use something else.</sourc
         <source>Dup&amp;licate</source>
         <translation>创建副本(&amp;L)</translation>
     </message>
+    <message>
+        <source>Add an analysis or what it uses</source>
+        <translation type="unfinished">添加分析或其所用的内容</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::ProjectTreeModel</name>
@@ -19785,14 +21067,6 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>Select an entry of the project tree to see its properties.</source>
         <translation>选择项目树中的条目以查看其属性。</translation>
-    </message>
-    <message>
-        <source>Properties</source>
-        <translation>属性</translation>
-    </message>
-    <message>
-        <source>Set-up</source>
-        <translation>测量设置</translation>
     </message>
     <message>
         <source>Project</source>
@@ -20265,10 +21539,6 @@ It is used by: %1. They will have an error until they use something else.</sourc
         <translation>，%1 百万次/s</translation>
     </message>
     <message>
-        <source>, %1 s left</source>
-        <translation>，剩余 %1 s</translation>
-    </message>
-    <message>
         <source>Progress of the run</source>
         <translation>运行进度</translation>
     </message>
@@ -20311,6 +21581,18 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>%1, kept state: </source>
         <translation>%1，保留的状态： </translation>
+    </message>
+    <message>
+        <source>%1 s left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 min left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 h left</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -20549,6 +21831,10 @@ It is used by: %1. They will have an error until they use something else.</sourc
         <source>help: %1</source>
         <translation>帮助：%1</translation>
     </message>
+    <message>
+        <source>group</source>
+        <translation type="unfinished">组</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::SearchPalette</name>
@@ -20625,6 +21911,10 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>Take over uncertainties as seen</source>
         <translation>采用所见的不确定度</translation>
+    </message>
+    <message>
+        <source>Go to Source</source>
+        <translation type="unfinished">转到来源</translation>
     </message>
 </context>
 <context>
@@ -20896,6 +22186,10 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>Project …</source>
         <translation>项目 …</translation>
+    </message>
+    <message>
+        <source>Show All %1</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -21246,6 +22540,10 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>Shows also the columns that no row has something in</source>
         <translation>同时显示所有行都为空的列</translation>
+    </message>
+    <message>
+        <source>Fill down</source>
+        <translation type="unfinished">向下填充</translation>
     </message>
 </context>
 <context>

@@ -75,8 +75,8 @@ def computed(row, at, orientation, sense):
 
 def evaluate(entry, folder, analysis):
     setup = entry["setup"]
-    if setup.get("uncertainties", "stated") != "stated" or setup.get("stations") or setup.get("correlations"):
-        raise NotImplementedError("uncertainties as seen, tilts, correlations")
+    if setup.get("uncertainties", "stated") != "stated" or setup.get("stations") or setup.get("seen_in") or setup.get("instruments") or setup.get("correlations"):
+        raise NotImplementedError("uncertainties as seen, figures of instruments, tilts, correlations")
     started = {(o["symbol"], o["group"]): mp.mpf(repr(o["estimate"])) * factor(o["unit"]) for o in analysis["outputs"]}
     points, readings = table(setup["points"], folder), [with_units(r) for r in table(setup["readings"], folder)]
     values, datum, known = {}, [], {}
@@ -95,7 +95,7 @@ def evaluate(entry, folder, analysis):
                     datum.append((key, point[axis]))
     for row in readings:
         if row["kind"] == "direction":
-            rounds = "o_" + row["from"] + (f",{row['round']}" if row.get("round") else "")
+            rounds = "o_" + row["from"] + (f"_{row['round']}" if row.get("round") else "")
             values[row["from"], "o", row.get("round", "")] = started[rounds, "orientations"]
     index = {key: i for i, key in enumerate(values)}
     inputs = Inputs()
@@ -105,7 +105,7 @@ def evaluate(entry, folder, analysis):
         at = {p["name"]: [known[p["name"], a] if (p["name"], a) in known else Dual(values[p["name"], a], {index[p["name"], a]: mp.mpf(1)})
                           for a in "xyz"] for p in points}
         orientation = {(k[0], k[2]): Dual(v, {index[k]: mp.mpf(1)}) for k, v in values.items() if len(k) == 3}
-        n, constraints = len(index), null_space(values, index, datum, at, readings)
+        n, constraints = len(index), null_space(values, index, datum, known, readings)
         normal, right = mp.zeros(n + len(constraints)), mp.zeros(n + len(constraints), len(readings) + 1)
         for i, row in enumerate(readings):
             h = computed(row, at, orientation, setup.get("sense", "x-to-y"))
@@ -130,7 +130,7 @@ def evaluate(entry, folder, analysis):
     dual = lambda key: Dual(values[key], {i: solution[index[key], i + 1] for i in range(len(readings))}) if key in index else Dual(known[key])
     for key in index:
         if len(key) == 3:
-            results["o_" + key[0] + (f",{key[2]}" if key[2] else ""), "orientations"] = dual(key)
+            results["o_" + key[0] + (f"_{key[2]}" if key[2] else ""), "orientations"] = dual(key)
         else:
             results[key[1], key[0]] = dual(key)
     for row in table(setup.get("distances", {"columns": [], "rows": []}), folder):
@@ -139,19 +139,23 @@ def evaluate(entry, folder, analysis):
     return results, inputs
 
 
-def null_space(values, index, datum, at, readings):
-    """The movements that no reading tells, restricted to the datum: shifts, and the turn about the vertical."""
+def null_space(values, index, datum, known, readings):
+    """Directions that no reading tells, restricted to the datum: shifts, and the turn about the vertical; about a point that is fixed."""
     if not datum:
         return []
     if any(row["kind"] in ("x", "y", "z", "azimuth", "dx", "dy") for row in readings) or \
             not any(row["kind"].endswith("distance") for row in readings):
         raise NotImplementedError("a free network with coordinates, azimuths or no scale")
-    rows = [{index[key]: mp.mpf(1) for key, _ in datum if key[1] == axis} for axis in "xyz"]
+    fixed = {axis: [key for key in known if key[1] == axis] for axis in "xyz"}
+    if len(fixed["x"]) > 1 or len(fixed["x"]) != len(fixed["y"]):
+        raise NotImplementedError("a datum beside several fixed points")
+    rows = [{index[key]: mp.mpf(1) for key, _ in datum if key[1] == axis} for axis in "xyz" if not fixed[axis]]
+    centre = {axis: known[fixed[axis][0]] if fixed[axis] else mp.mpf(0) for axis in "xy"}
     of = {key: values[key] for key, _ in datum}
     turn = {}
     for (name, axis), value in of.items():
         if axis == "x":
-            turn[index[name, "x"]] = -values[name, "y"]
+            turn[index[name, "x"]] = centre["y"] - values[name, "y"]
         if axis == "y":
-            turn[index[name, "y"]] = values[name, "x"]
+            turn[index[name, "y"]] = values[name, "x"] - centre["x"]
     return [row for row in rows if row] + [turn]

@@ -106,6 +106,11 @@ void TableEditor::make_tools() {
     connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) { follow_focus(now); });
 }
 
+/// QWidget's destructor moves the focus away, when no member of this class is left.
+TableEditor::~TableEditor() {
+    disconnect(qApp, nullptr, this, nullptr);
+}
+
 QWidget* TableEditor::take_tools() {
     layout()->removeWidget(tools_);
     return tools_;

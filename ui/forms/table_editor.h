@@ -17,6 +17,7 @@ class TableEditor : public FieldEditor {
     Q_OBJECT
 public:
     TableEditor(const FieldSpec& field, const FieldContext& context, QWidget* parent);
+    ~TableEditor() override;
     /// The model follows the document by itself.
     void set_value(const SetupValue& value) override;
     void set_complaint(const QString& complaint) override;

@@ -153,10 +153,14 @@ void MainWindow::arrange() {
     }
     tabifyDockWidget(docks_[2], docks_[3]);
     if (help_) help_->hide();
-    resizeDocks({docks_[0], docks_[1]}, side_widths(*this), Qt::Horizontal);
+    give_sides();
     resizeDocks({docks_[2]}, {height() / 5}, Qt::Vertical);
     addToolBar(Qt::TopToolBarArea, toolbar_);
     toolbar_->show();
+}
+
+void MainWindow::give_sides() {
+    resizeDocks({docks_[0], docks_[1]}, side_widths(*this), Qt::Horizontal);
 }
 
 void MainWindow::make_actions() {
@@ -495,6 +499,9 @@ void MainWindow::take_preferences() {
     const bool other_numbers = wanted.numbers != numbers_;
     const bool other_font = !(std::exchange(font_, wanted.font) == wanted.font);
     if (other_numbers || other_font) finish_typing();  // typed texts have the form from before
+    // Widths follow the letters as well, once all widgets have taken the font.
+    if (other_font && has_project_)
+        QMetaObject::invokeMethod(this, &MainWindow::give_sides, Qt::QueuedConnection);
     if (other_numbers) {
         apply_number_form(numbers_ = wanted.numbers);
         setLocale(QLocale());

@@ -75,6 +75,7 @@ private:
                           QWidget* content, QWidget* controls = nullptr);
     /// Puts the panes where they are at the first start.
     void arrange();
+    void give_sides();
     void count_problems();
     void make_menus();
     void make_actions();

@@ -8,6 +8,8 @@
 #include <QStackedWidget>
 #include <QTabWidget>
 
+#include "ui/theme/fold_groups.h"
+
 namespace covaria::ui {
 namespace {
 
@@ -84,6 +86,7 @@ void HighlightFrame::paintEvent(QPaintEvent*) {
 }
 
 bool reveal(QWidget& widget) {
+    FoldGroups::reveal(widget);
     for (QWidget* around = &widget; around; around = around->parentWidget()) {
         if (auto* tabs = qobject_cast<QTabWidget*>(around)) {
             show_page_of(*tabs, widget);

@@ -71,7 +71,7 @@ void FoldHead::paintEvent(QPaintEvent*) {
     const QFont bold = title_font(font()), small = sized(font(), TextSize::small);
     const QFontMetrics titles(bold), words(small);
     const int room = width() - chevron_width - beside_page;
-    const int for_title = std::min(titles.horizontalAdvance(text()), room);
+    const int for_title = std::min(titles.horizontalAdvance(text()) + 2, room);
     painter.setFont(bold);
     painter.setPen(t.ink);
     painter.drawText(QRect(chevron_width, 0, for_title, height()), Qt::AlignLeft | Qt::AlignVCenter,

@@ -209,7 +209,6 @@ class MixedEdits : public Session {
 protected:
     void edit(int i) {
         const QString number = QString::number(0.07 + 0.001 * i);
-        if (i % 10 == 0) show_group(QStringLiteral("Set-up"));
         switch (i % 10) {
             case 0:
                 return type_into("base_u_x", number + QStringLiteral(" mm"));

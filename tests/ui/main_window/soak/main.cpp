@@ -28,6 +28,7 @@
 #include "ui/pages/project_pane.h"
 #include "ui/pages/properties_pane.h"
 #include "ui/pages/results_pane.h"
+#include "ui/theme/fold_groups.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
@@ -145,12 +146,11 @@ private:
         for (int i = below(6); i >= 0; --i) below(3) ? stack.undo() : stack.redo();
     }
     void show_a_tab() {
-        QTabWidget& tabs = below(2) ? *window_.properties().tabs() : window_.results().tabs();
+        if (FoldGroups& groups = window_.properties().groups(); below(2) && groups.count() > 0)
+            return groups.open(below(groups.count()));
+        QTabWidget& tabs = window_.results().tabs();
         // The report takes seconds each time; its own tests look at it.
-        if (&tabs == &window_.results().tabs() && below(10) > 0)
-            tabs.setCurrentIndex(below(tabs.count() - 1));
-        else if (&tabs != &window_.results().tabs())
-            tabs.setCurrentIndex(below(tabs.count()));
+        tabs.setCurrentIndex(below(tabs.count() - 1));
     }
     void select_an_entry() {
         const Project& project = window_.document().project();
