@@ -85,7 +85,7 @@ struct ScenePoint {
     SceneItem item;
     PointKind kind = PointKind::other;
     double radius = 0.0;                               ///< m
-    Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();   ///< of its seat: the normal of the plate it sits on
+    Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();   ///< seat's axis: the normal of the plate it sits on
     std::optional<PointCoordinates> coordinates = {};  ///< its quantities, in the result of the scene
     bool operator==(const ScenePoint&) const = default;
 };
