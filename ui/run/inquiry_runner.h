@@ -37,7 +37,7 @@ struct InquiryStatus {
     QString message = {};                           ///< tells why it failed
     std::shared_ptr<const Outcome> result = {};     ///< the newest there is; may be out of date
     std::shared_ptr<const Project> result_of = {};  ///< the part of the project that it was computed from
-    bool has_same_numbers = false;                  ///< `result_of` equals that part as it is now
+    bool has_same_numbers = false;                  ///< `result_of` gives what that part gives now
     std::shared_ptr<const Project> failed_of = {};  ///< the part of the project that a failure came from
     bool is_current() const { return result && has_same_numbers; }
 };
