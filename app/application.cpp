@@ -47,7 +47,7 @@ void provide_runtime_folder() {
 std::unique_ptr<QApplication> make_application(Platform platform) {
     if (platform == Platform::offscreen) setenv("QT_QPA_PLATFORM", "offscreen", 1);
     provide_runtime_folder();
-    // With seeds of its own each process would take other fonts for letters that ours lack: other reports.
+    // A seed of its own would let each process take other fonts for letters that ours lack: other reports.
     QHashSeed::setDeterministicGlobalSeed();
     static int argc = 1;
     static char name[] = "covaria";
@@ -56,7 +56,7 @@ std::unique_ptr<QApplication> make_application(Platform platform) {
     // Qt takes the locale of the environment for the functions of C, too: libraries would write 0,5 into
     // files.
     std::setlocale(LC_NUMERIC, "C");
-    // What is printed and written by commands is in the language of the project, wherever they run.
+    // Commands print and write in the language of the project, wherever they run.
     if (platform == Platform::offscreen) QLocale::setDefault(QLocale::c());
     QApplication::setOrganizationName(QStringLiteral("Covaria"));
     QApplication::setApplicationName(QStringLiteral("Covaria"));

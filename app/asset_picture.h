@@ -8,7 +8,7 @@
 
 namespace covaria {
 
-/// Its body, 400 x 250 pixels. Error{bad_input}: it has problems, or no body to draw.
+/// Draws its body, 400 x 250 pixels. Error{bad_input}: it has problems, or no body to draw.
 Result<void> write_asset_picture(const AssetEntry& asset, const std::filesystem::path& file);
 
 }  // namespace covaria

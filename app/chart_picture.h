@@ -5,10 +5,10 @@
 
 namespace covaria {
 
-/// Of the first measurand of the wanted group; of its contributions where Monte Carlo did not run.
+/// Draws the first measurand of the wanted group; its contributions where Monte Carlo did not run.
 Result<void> write_chart(const EvaluatedAnalysis& evaluated, const PictureRequest& request,
                          const std::filesystem::path& file);
-/// Of one output, by its index. Needs an application (application.h).
+/// Draws one output, by its index. Needs an application (application.h).
 Result<void> write_chart_of(const EvaluatedAnalysis& evaluated, std::size_t output,
                             const std::filesystem::path& file);
 

@@ -76,7 +76,7 @@ std::optional<std::size_t> entry_of(const std::string& path, std::string_view pl
     return index;
 }
 
-/// Whether the analyses are made of what the problem is about; of all entries where none is named.
+/// Tells whether the analyses depend on the entry of a problem; they are all where none is named.
 class Concern {
 public:
     Concern(const MadeProject& made, const std::vector<std::string>& analyses) : graph_(made.graph()) {
@@ -84,7 +84,7 @@ public:
         const auto first = project.analyses.data();
         for (const std::string& id : analyses) {
             const AnalysisEntry* entry = project.find_analysis(id);
-            if (!entry) continue;  // which is said later
+            if (!entry) continue;  // an unknown id is reported later
             const std::size_t number = graph_.number_of_analysis(static_cast<std::size_t>(entry - first));
             used_.insert(number);
             const auto used = graph_.used_by(number);
@@ -109,7 +109,7 @@ private:
     std::size_t assets_ = 0, analyses_ = 0;
 };
 
-/// Of the errors of a project that was read, those that keep the analyses from being evaluated.
+/// The errors of a project that keep the analyses from being evaluated.
 Problems errors_of(const LoadedProject& loaded, const std::vector<std::string>& analyses) {
     Problems errors;
     if (!loaded.made) return loaded.problems;

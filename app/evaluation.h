@@ -11,7 +11,7 @@
 
 namespace covaria {
 
-/// What the command line changes about a project's analyses.
+/// Changes that the command line makes to a project's analyses.
 struct RunRequest {
     std::string file;
     std::vector<std::string> analyses = {};  ///< ids; empty = all
@@ -35,24 +35,24 @@ struct RunRequest {
 Result<MadeProject::Pointer> open_project(const std::string& file,
                                           const std::vector<std::string>& values = {},
                                           const std::vector<std::string>& analyses = {});
-/// The errors that `open_project` would stop at, without a word.
+/// The errors at which `open_project` would stop, none of them printed.
 Result<Problems> errors_of_project(const std::string& file, const std::vector<std::string>& values,
                                    const std::vector<std::string>& analyses);
 
 /// Warns of what a certificate must say and the project does not.
 void say_what_is_missing(const ReportSource& source);
 
-/// Where the units of analyses and studies are shared with other processes.
+/// The stores through which other processes share the units of analyses and studies.
 class UnitStores {
 public:
     virtual ~UnitStores() = default;
-    /// Of the trials of an analysis (`study` empty) or of the points of its study.
+    /// Store of the trials of an analysis (`study` empty) or of the points of its study.
     virtual UnitStore* of(const std::string& analysis, const std::string& study) = 0;
 };
 
-/// What was evaluated, and what has no results.
+/// Analyses with their results, and those that failed.
 struct Evaluation {
-    MadeProject::Pointer made;  ///< with what the request changes: what was evaluated
+    MadeProject::Pointer made;  ///< the project that was evaluated, with the changes of the request
     std::vector<EvaluatedAnalysis> analyses;
     std::vector<FailedAnalysis> failed;
 };
@@ -65,9 +65,9 @@ Result<Evaluation> evaluate_analyses(const MadeProject::Pointer& opened, const R
 /// without one of them, one that fails.
 Result<void> compare_with(const std::string& file, RunRequest request, Evaluation& evaluation,
                           const std::stop_token& stop);
-/// The project as this request evaluates it.
+/// The project with the changes of this request.
 MadeProject::Pointer requested(const MadeProject::Pointer& opened, const RunRequest& request);
-/// Error{not_found}: an analysis that the project has not.
+/// Ids of the requested analyses. Error{not_found}: an analysis that the project has not.
 Result<std::vector<std::string>> requested_analyses(const Project& project, const RunRequest& request);
 /// Error{numeric} that names what failed, if anything did: the command ends with status 1.
 Result<void> check_complete(const Evaluation& evaluation);

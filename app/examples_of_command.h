@@ -12,7 +12,7 @@ namespace covaria {
 
 struct CommandExample {
     std::string line;       ///< without "covaria": "run my.covaria --trials 1e6"
-    std::string does = {};  ///< what it is good for, where the line does not say so
+    std::string does = {};  ///< its use, where the line does not tell it
 };
 
 /// `more`: what stands below them. tests/app/help_test.cpp runs every example of every command in a folder

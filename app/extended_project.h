@@ -8,7 +8,7 @@
 
 namespace covaria {
 
-/// What the file holds, or a new project of that title where there is none. Prints the problems of the file.
+/// The project in the file, or a new one of that title where there is none. Prints the problems of the file.
 /// Error: it has errors.
 Result<Project> project_to_extend(const std::string& file, const std::string& title);
 

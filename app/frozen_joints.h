@@ -1,4 +1,4 @@
-// What the commands that read a robot from URDF ask about it.
+// Options of the commands that read a robot from URDF.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// What commands print for programs: --json.
+// Output of commands for programs: --json.
 #pragma once
 
 #include <string>

@@ -6,7 +6,7 @@ namespace covaria {
 
 namespace {
 
-/// Of one computation.
+/// Units of one computation, from the folder or computed here.
 class MergingStore : public UnitStore {
 public:
     MergingStore(const SharedRun& run, std::size_t work, PartsFolder& folder, MissingUnits missing)
@@ -41,7 +41,7 @@ public:
                          folder_.path().string() + ": unit " + std::to_string(unit + 1) + " of \"" +
                              work().name() + "\" cannot be read: " + "its part was changed or is damaged"};
     }
-    /// What was computed and is not yet in the folder.
+    /// Writes the units that are computed and not yet in the folder. False: that failed.
     bool write_begun() {
         if (begun_.partials.empty()) return true;
         const auto written = folder_.add(run_.part_request(), std::exchange(begun_, {}));

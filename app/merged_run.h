@@ -7,7 +7,7 @@
 
 namespace covaria {
 
-/// Where units come from that no part in the folder has: others, who are asked here.
+/// A source of units that no part in the folder has: other processes, who are asked here.
 class UnitSource {
 public:
     virtual ~UnitSource() = default;
@@ -21,7 +21,7 @@ struct MissingUnits {
 };
 
 /// Results of a shared run. What is computed here is kept in the folder too. Errors: as `evaluate_analyses`;
-/// what is missing; parts of something else.
+/// units that are missing; parts of something else.
 Result<Evaluation> merge_units(const SharedRun& run, PartsFolder& folder, MissingUnits missing,
                                const std::stop_token& stop);
 

@@ -21,7 +21,7 @@
 namespace covaria {
 namespace {
 
-/// Of the pictures of a run.
+/// Views of the first group of an analysis in the pictures of a run.
 const std::vector<std::string> views = {"iso", "top", "front", "right"};
 
 std::string joined(const auto& words) {
@@ -71,7 +71,7 @@ Result<Scene> scene_of_design(const EvaluatedAnalysis& evaluated, const PictureR
     return fail(ErrorCode::not_found, "the analysis has no design \"" + request.design + "\"");
 }
 
-// Either takes some 3 GB while a picture is drawn, the whole picture at once in either case.
+// Limits of sizes: either takes some 3 GB while a picture is drawn, the whole picture at once in either case.
 constexpr std::int64_t most_fine_pixels = 9'000'000, most_pixels = 36'000'000;
 
 Result<void> render_to(SceneRenderer& renderer, const std::filesystem::path& file,
@@ -192,7 +192,7 @@ Result<void> write_pictures(const std::filesystem::path& folder,
     const std::vector<LayoutMesh> context = context_meshes(made);
     std::unique_ptr<QApplication> application;
     SceneRenderer renderer;
-    const PlannedPicture* drawn = nullptr;  // whose scene the renderer has
+    const PlannedPicture* drawn = nullptr;  // the renderer has its scene
     for (const PlannedPicture& picture : pictures) {
         if (stop.stop_requested()) return fail(ErrorCode::cancelled, "stopped while drawing pictures");
         const EvaluatedAnalysis& evaluated = analyses[picture.analysis];

@@ -13,12 +13,12 @@
 
 namespace covaria {
 
-/// What to draw of an analysis and how.
+/// The subject and the look of a picture of an analysis.
 struct PictureRequest {
     std::string study = {};     ///< its map instead of the analysis' result
-    std::string quantity = {};  ///< of the study, by its title: "u(3D), B"; empty = the first
+    std::string quantity = {};  ///< title of the study's quantity: "u(3D), B"; empty = the first
     bool ellipsoids = false;    ///< at the grid points of the study
-    std::string design = {};    ///< what this design found instead of the analysis' result
+    std::string design = {};    ///< its findings instead of the analysis' result
     std::string group = {};     ///< empty: the first group of outputs
     std::string view = "iso";
     std::optional<SavedView> saved = {};   ///< in place of the standard view
@@ -28,7 +28,7 @@ struct PictureRequest {
     bool dark = false;
     std::optional<double> magnification = {};
     double probability = 0.0;                      ///< 0: the analysis' coverage probability
-    std::vector<LayoutMesh> context = {};          ///< of the project: context_meshes
+    std::vector<LayoutMesh> context = {};          ///< meshes of the project: context_meshes
     std::vector<RequirementResult> verdicts = {};  ///< on the analysis' result
 };
 
@@ -42,14 +42,14 @@ Result<void> write_picture(const EvaluatedAnalysis& evaluated, const PictureRequ
 struct PlannedPicture {
     std::size_t analysis = 0;
     std::string group = {};
-    std::string view = {};                   ///< of the scene; empty: the chart of an output
-    std::optional<std::size_t> output = {};  ///< for a chart
+    std::string view = {};                   ///< view of the scene; empty: the chart of an output
+    std::optional<std::size_t> output = {};  ///< index of the charted output
     std::string file;
 };
-/// Of every analysis with a scene: one per view of the first group, and the isometric view of every other
-/// group; of the others a chart for every output. No two have the same file.
+/// Pictures of every analysis: with a scene one per view of the first group, and the isometric view of every
+/// other group; without one a chart for every output. No two have the same file.
 std::vector<PlannedPicture> planned_pictures(const std::vector<EvaluatedAnalysis>& analyses);
-/// As results.json lists it.
+/// The entry of a picture in results.json.
 ResultFile listed(const PlannedPicture& picture, const std::vector<EvaluatedAnalysis>& analyses);
 Result<void> write_pictures(const std::filesystem::path& folder,
                             const std::vector<EvaluatedAnalysis>& analyses,

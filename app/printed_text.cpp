@@ -21,7 +21,7 @@ namespace {
 struct Printer {
     explicit Printer(int to) : descriptor(to) {}
     int descriptor;
-    int error = 0;        ///< of the first write that failed
+    int error = 0;        ///< errno of the first write that failed
     std::string pending;  ///< the beginning of what may be a control character
 };
 
@@ -70,7 +70,7 @@ Printer& errors() {
     return printer;
 }
 
-/// What C++ prints goes the same way.
+/// Sends the output of a C++ stream the same way.
 void print_by(std::ostream& out, FILE* stream) {
     out.rdbuf(std::make_unique<__gnu_cxx::stdio_sync_filebuf<char>>(stream).release());  // never destroyed
 }

@@ -128,7 +128,7 @@ Result<SchemaJson> read_definitions(const char* needed) {
     return std::move(schema["$defs"]);
 }
 
-/// What the schema refers to, and what that refers to.
+/// Adds the definitions that the schema refers to, and those that they refer to.
 void add_referred(const SchemaJson& schema, const SchemaJson& all, SchemaJson& referred) {
     if (schema.is_object() && schema.contains("$ref")) {
         const std::string reference = schema["$ref"];

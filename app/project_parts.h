@@ -11,8 +11,8 @@
 namespace covaria {
 
 struct ProjectPart {
-    std::string name;   ///< as in the project file: "inputs"
-    std::string title;  ///< of the list: "Edits of input quantities"
+    std::string name;   ///< its key in the project file: "inputs"
+    std::string title;  ///< shown in the list: "edits of input quantities"
 };
 const std::vector<ProjectPart>& project_parts();
 

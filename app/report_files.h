@@ -14,13 +14,13 @@ struct ReportFiles {
     std::string folder = "out";
     std::vector<std::string> formats = {};  ///< "pdf", "html", "markdown"; empty = all
     std::string paper = "a4";
-    std::string name = "report";  ///< of the files, without ending
+    std::string name = "report";  ///< name of the files, without ending
 };
 
 /// The folder, name and format of one file: "out/cert.pdf". Error{usage}: its ending names no format.
 Result<void> write_into_one_file(const std::string& file, ReportFiles& files);
 
-/// As `document` is: a report, a certificate.
+/// Writes a document of any kind: a report, a certificate.
 Result<void> write_document(const ReportDocument& document, const ReportSource& source,
                             const ReportFiles& files, const std::stop_token& stop);
 

@@ -18,7 +18,7 @@ std::string result_lines_head();
 /// A line for every measurand of an evaluated project, in the units of its outputs; "met" is of the
 /// requirement on it. One without figures, that says why, for every analysis without results.
 std::string result_lines(const NamedRun& run, const Project& project, const Evaluation& evaluation);
-/// Of a run that could not begin.
+/// The line of a run that could not begin.
 std::string line_without_results(const NamedRun& run, const std::string& problem);
 
 }  // namespace covaria

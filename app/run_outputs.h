@@ -1,4 +1,4 @@
-// What `covaria run` and `covaria merge` write: result files, and on request report, certificate, pictures.
+// Output of `covaria run` and `covaria merge`: result files, and on request report, certificate, pictures.
 #pragma once
 
 #include <stop_token>
@@ -18,13 +18,13 @@ struct RunOutputs {
     bool report = false;
     bool certificate = false;
     bool pictures = false;
-    std::vector<std::string> formats = {};  ///< of report and certificate: "pdf"; empty = all
+    std::vector<std::string> formats = {};  ///< formats of report and certificate: "pdf"; empty = all
 };
 
 /// Adds --out, --report, --certificate, --pictures. `outputs` must outlive the parser.
 void add_output_options(CLI::App& command, RunOutputs& outputs);
 
-/// Into the folder, which exists. `chosen`: only some analyses were asked for.
+/// Writes into the folder, which exists. `chosen`: only some analyses were asked for.
 Result<void> write_run_outputs(const RunOutputs& outputs, const MadeProject& opened,
                                const Evaluation& evaluation, bool chosen, const std::stop_token& stop);
 

@@ -30,7 +30,7 @@ const char* kind_key(FieldKind kind) {
     return "";
 }
 
-/// As a project file has it; null: it must be given, or is a table or a pose at rest.
+/// The default in a project file's form; null: it must be given, or is a table or a pose at rest.
 OrderedJson default_json(const SetupValue& value) {
     if (const auto* quantity = std::get_if<Quantity>(&value)) {
         if (quantity->unit == Unit()) return json_number(quantity->value);
@@ -47,7 +47,7 @@ OrderedJson choices_json(const std::vector<Choice>& choices) {
     return list;
 }
 
-/// What fields and columns have alike; a bound that is null does not exist.
+/// Members that fields and columns share; a bound that is null does not exist.
 template <class Spec>
 OrderedJson common_json(const Spec& spec) {
     OrderedJson json{
@@ -76,7 +76,7 @@ OrderedJson field_json(const FieldSpec& field) {
     return json;
 }
 
-/// What models and assets have alike, behind their names.
+/// Adds the members that models and assets share, behind their names.
 template <class Descriptor>
 OrderedJson with_schema(OrderedJson json, const Descriptor& descriptor) {
     json["title"] = descriptor.title;

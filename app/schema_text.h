@@ -10,9 +10,9 @@ namespace covaria {
 
 std::string description_of(const ModelDescriptor& model);
 std::string description_of(const AssetDescriptor& asset);
-/// Lines of at most 100 characters, each behind the indent.
+/// Writes lines of at most 100 characters, each behind the indent.
 void write_wrapped(std::ostringstream& out, const std::string& text, const std::string& indent);
-/// What the axes of a study can vary.
+/// Lists what the axes of a study can vary.
 std::string study_targets_text();
 
 }  // namespace covaria

@@ -19,7 +19,7 @@ std::shared_ptr<const PreparedStudy> prepared(const SharedRun& run, const UnitWo
     return prepare_study(run.made, work.analysis, work.study, said_when_merged);
 }
 
-/// Of an adaptive run: half as many again as the law of propagation makes expect.
+/// Batches expected of an adaptive run: half as many again as the law of propagation makes expect.
 std::uint64_t expected_batches(const PreparedAnalysis& analysis) {
     constexpr double reserve = 1.5, most = 1e12;
     const auto& law = analysis.propagated->propagation();
@@ -116,7 +116,7 @@ Result<void> compute_units(const SharedRun& run, const UnitWork& work, UnitStore
 }
 
 UnitRange range_of_part(std::uint64_t units, std::uint64_t k, std::uint64_t n) {
-    // Without products that overflow.
+    // Border of part i, without products that overflow.
     const auto border = [&](std::uint64_t i) { return units / n * i + units % n * i / n; };
     return {border(k - 1), border(k)};
 }

@@ -11,13 +11,13 @@ namespace covaria {
 struct SharedRun {
     RunRequest request;
     MadeProject::Pointer opened;
-    MadeProject::Pointer made;  ///< as requested
+    MadeProject::Pointer made;  ///< the project with the changes of the request
     std::vector<UnitWork> works;
 
     PartRequest part_request() const;
 };
 
-/// What has no model, or needs no trials, is left to whoever merges.
+/// Works of a run that processes can share; analyses without model or trials are left to whoever merges.
 Result<SharedRun> open_shared_run(const RunRequest& request);
 
 /// The arguments of `covaria run` (without the file) that give this request, but for threads.

@@ -13,7 +13,7 @@ namespace {
 
 bool progress_shown = false;
 
-/// In place of what is on it. Past the stream, which shows control characters.
+/// Replaces the text on the line. Goes past the stream, which shows control characters.
 void put_on_line(const std::string& words) {
     const std::string text = "\r\x1b[K" + printable(words);
     std::fflush(stderr);

@@ -10,10 +10,10 @@
 namespace covaria {
 
 struct ValueRow {
-    std::string name;                 ///< what the row calls its run: a serial number
-    std::size_t number = 0;           ///< of the row, below the head, from 1
-    int line = 0;                     ///< of the file
-    std::vector<std::string> values;  ///< as `--set` takes them
+    std::string name;                 ///< name of its run: a serial number
+    std::size_t number = 0;           ///< number of the row below the head, from 1
+    int line = 0;                     ///< its line in the file
+    std::vector<std::string> values;  ///< in the form of `--set`
 };
 
 /// Columns whose head begins with '/' give values, empty cells none; the first other column gives the names,

@@ -20,8 +20,8 @@ bool has_display() {
     return std::getenv("DISPLAY") || std::getenv("WAYLAND_DISPLAY") || std::getenv("QT_QPA_PLATFORM");
 }
 
-// Without it Qt aborts the process where the display cannot be used: a wrong name, no permission, a missing
-// plugin.
+// Prints Qt's messages. A fatal one (the display cannot be used: a wrong name, no permission, a missing
+// plugin) ends the process with a sentence, where Qt would abort it.
 void end_with_a_sentence(QtMsgType type, const QMessageLogContext&, const QString& message) {
     if (type != QtFatalMsg) return print_message(message.toStdString());
     QString first = message.section(QLatin1Char('\n'), 0, 0);

@@ -42,8 +42,8 @@ std::string option_name(const std::string& word) {
     return letter ? word.substr(0, 2) : std::string();
 }
 
-/// With two neighbours exchanged ("--sa", "--as"), the only one that is longer ("--cert", "--certificate"),
-/// else the nearest in letters. Of a single letter nothing can be guessed.
+/// The name that was meant: with two neighbours exchanged ("--sa", "--as"), the only longer one ("--cert",
+/// "--certificate"), else the nearest in letters. A single letter gives no guess.
 std::string guess(const std::string& name, const std::vector<std::string>& names) {
     if (name.find_first_not_of('-') + 1 >= name.size()) return {};
     for (std::size_t i = 1; i < name.size(); ++i) {
@@ -73,7 +73,7 @@ std::vector<std::string> commands_with(const std::string& name, const CLI::App& 
 std::string where_it_is(const std::string& name, const CLI::App& app) {
     if (const auto having = commands_with(name, app); !having.empty())
         return "; it is an option of " + listed(having);
-    constexpr std::size_t telling = 6;  // of fewer letters others are near by chance
+    constexpr std::size_t telling = 6;  // shorter names are near others by chance
     std::vector<std::string> all = options_of(app);
     for (const CLI::App* command : commands_of(app))
         for (const std::string& option : options_of(*command)) all.push_back(option);
@@ -117,7 +117,7 @@ std::string what_does_not_exist(const CLI::App& app, int argc, char** argv) {
         if (word == "--") break;
         if (const std::string name = option_name(word); !name.empty()) {
             if (!is_among(name, options_of(*command))) return no_option(word, name, app, *command, called);
-            // What follows may be its value.
+            // The next word may be its value.
             if (command == &app) may_be_command = false;
             continue;
         }

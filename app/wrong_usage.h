@@ -1,4 +1,4 @@
-// What a command line that cannot be understood was meant to be.
+// The likely meaning of a command line that cannot be understood.
 #pragma once
 
 #include <string>

@@ -7,7 +7,7 @@ build=$root/build/$preset
 
 say() { printf 'covaria: %s\n' "$*" >&2; }
 
-# install_missing_packages [FILE]: those of a list, as a rule of scripts/packages.txt.
+# install_missing_packages [FILE]: installs the missing ones of a list, as a rule of scripts/packages.txt.
 install_missing_packages() {
     local list=$root/${1:-scripts/packages.txt} missing
     command -v dpkg-query >/dev/null || { say "not a Debian system: install the packages of $list yourself"; return; }
@@ -67,7 +67,7 @@ show_progress() {  # LOG WEIGHT
     if [ -t 2 ] && [ "$weight" -gt 0 ]; then echo >&2; fi
 }
 
-# prepare TARGET ...: everything needed to run those targets.
+# prepare TARGET ...: installs, configures and builds everything needed to run those targets.
 prepare() {
     install_missing_packages
     cd "$root"

@@ -21,7 +21,7 @@ public:
     }
     std::size_t below(std::size_t count) { return static_cast<std::size_t>(bits_() % count); }
 
-    /// Of any size, evenly over the powers of ten; zero, the smallest and the largest doubles among them.
+    /// A figure of any size, evenly over the powers of ten; zero and the extreme doubles among them.
     double any() {
         using Limits = std::numeric_limits<double>;
         constexpr std::array<double, 7> special{
@@ -29,7 +29,7 @@ public:
         const double size = below(8) == 0 ? special[below(special.size())] : size_between(-320.0, 308.0);
         return below(2) == 0 ? size : -size;
     }
-    /// Of a size that figures of a measurement have.
+    /// A figure of a size that measurements have.
     double usual() { return (below(2) == 0 ? 1.0 : -1.0) * size_between(-6.0, 6.0); }
     double size_between(double lowest_power, double highest_power) {
         return std::pow(10.0, uniform(lowest_power, highest_power));

@@ -15,7 +15,7 @@ inline void append_little_endian(std::string& bytes, std::uint32_t value) {
     for (int shift = 0; shift < 32; shift += 8) bytes += static_cast<char>(value >> shift & 0xFF);
 }
 
-/// With a header of its own and, if it is to lie, another count.
+/// A binary STL file with a header of its own and, if it is to lie, another count.
 inline std::string binary_stl(const std::vector<StlTriangle>& triangles,
                               std::string header = "made by a test", std::int64_t stated = -1) {
     header.resize(80, ' ');

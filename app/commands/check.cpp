@@ -22,7 +22,7 @@ namespace {
 struct CheckArguments {
     RunRequest request;
     std::string junit;
-    std::optional<double> level;  ///< of stated figures against residuals; empty: not asked
+    std::optional<double> level;  ///< for tests of stated figures against residuals; empty: not asked
 };
 
 /// One requirement on one output, judged.

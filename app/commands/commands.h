@@ -1,7 +1,7 @@
 // The subcommands of the command line, one file each. A command registers itself on the parser and is run by
 // main when the parser chose it.
 //
-// To add a command: a file here, a line below and one in commands.cpp.
+// A new command needs a file here, a line below and one in commands.cpp.
 #pragma once
 
 #include <functional>

@@ -57,7 +57,7 @@ std::vector<std::string> analysis_ids(const Project& project) {
     return all;
 }
 
-/// Those that were chosen; else those of the same id; else the only ones.
+/// Pairs of analyses: the chosen ones; else those of the same id; else the only ones.
 Result<ComparePlan> plan_of(const CompareArguments& arguments, const Project& before, const Project& after) {
     ComparePlan plan;
     if (!arguments.analyses.empty()) {
@@ -117,7 +117,7 @@ Result<void> write_out(const CompareArguments& arguments, const ReportDocument& 
     return written;
 }
 
-/// It carries the project of after and is in its language, as reports are.
+/// Writes the report; it carries the later project and is in its language, as reports are.
 Result<void> write_as_report(const std::string& file, const ReportDocument& document, const Evaluation& after,
                              const std::stop_token& stop) {
     ReportFiles files;

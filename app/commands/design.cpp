@@ -84,7 +84,7 @@ Result<void> write_project(const DesignArguments& arguments, const Project& proj
     return save_project(*taken, arguments.take_over);
 }
 
-/// Whether it was found and meets its targets.
+/// Whether the design was found and meets its targets.
 Result<bool> design(const DesignArguments& arguments, const std::stop_token& stop) {
     auto opened = open_project(arguments.file, arguments.values);
     if (!opened) return fail(opened.error());

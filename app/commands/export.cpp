@@ -42,7 +42,7 @@ Result<const Writer*> chosen_writer(const std::string& name) {
                                       "; there are " + listed(names));
 }
 
-/// What the project lacks is said before anything is computed.
+/// Prints what the project lacks before anything is computed. Error: it lacks something.
 Result<void> check_nothing_missing(const Writer& writer, const Project& project) {
     const Problems missing = writer.missing ? writer.missing(project) : Problems();
     print_problems(missing);

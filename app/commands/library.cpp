@@ -24,7 +24,7 @@ int tell_problems(const Library& library) {
     return library.problems.has_errors() ? exit_bad_input : exit_success;
 }
 
-/// For words that nothing has, those of names and kinds that are nearest: " (did you mean 'leica'?)".
+/// Hint for words that match nothing: the nearest of names and kinds: " (did you mean 'leica'?)".
 std::string words_meant(const Library& library, const std::string& words) {
     std::vector<std::string> known;
     for (const LibraryItem& item : library.items) {
@@ -89,7 +89,7 @@ int list_library_json(const std::string& words) {
     return library.problems.has_errors() || json["items"].empty() ? exit_bad_input : exit_success;
 }
 
-/// With its set-up, as a project file has it.
+/// The item with its set-up, as a project file has it.
 std::string shown_json(const LibraryItem& item, const AssetDescriptor& kind) {
     OrderedJson json = json_document("covaria-library");
     json["item"] = item_json(item);

@@ -1,5 +1,5 @@
 // covaria manual: the manual as one document, and the command line described by itself, for man and for bash.
-// What is packaged is made by it.
+// Packages contain its output.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>

@@ -56,7 +56,7 @@ public:
         section_.partials.push_back(std::move(bytes));
         return true;
     }
-    /// All of the range, or from the first unit on as many as the computation needs.
+    /// Whether the section has all of its range, or from the first unit on as many as the computation needs.
     bool has_enough() {
         const std::uint64_t computed = section_.partials.size();
         if (computed < section_.range.size() && (section_.range.first > 0 || computed == 0)) return false;
@@ -79,7 +79,7 @@ Result<Part> computed_part(const SharedRun& run, const std::stop_token& stop, Ra
         OneRange store(section);
         const auto done = compute_units(run, work, store, stop);
         if (!done && done.error().code == ErrorCode::cancelled) return fail(done.error());
-        // It has no results, which is said where the parts are merged too.
+        // A computation without results is told here, and again where the parts are merged.
         if (!done)
             print_message(work.name() + ": " + done.error().message.english());
         else if (store.has_enough())

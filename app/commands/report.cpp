@@ -44,7 +44,7 @@ ReportDocument document_of(const ReportArguments& arguments, const ReportSource&
     return build_report(source.made, source.analyses, source.failed, contents, in);
 }
 
-/// Nothing is evaluated that is not shown.
+/// Leaves out analyses that the report does not show: they need not be evaluated.
 Result<RunRequest> request_for(const ReportArguments& arguments, const Project& project) {
     RunRequest request = arguments.request;
     if (!request.analyses.empty() || project.report.without_analyses.empty()) return request;

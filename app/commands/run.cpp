@@ -55,7 +55,7 @@ RunArguments with_values_of(const ValueRow& row, RunArguments arguments) {
     return arguments;
 }
 
-/// What is wrong with each row, before the first is run; empty: nothing.
+/// Errors of each row, before the first is run; empty: none.
 std::vector<std::string> wrong_rows(const RunArguments& arguments, const std::vector<ValueRow>& rows,
                                     const std::stop_token& stop) {
     std::vector<std::string> wrong;

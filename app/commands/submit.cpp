@@ -23,7 +23,7 @@ struct SubmitArguments {
     std::string out = "out";
 };
 
-/// As one word of a shell.
+/// The text as one word of a shell.
 std::string quoted(const std::string& text) {
     if (!text.empty() &&
         text.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_@%+=:,./-") ==

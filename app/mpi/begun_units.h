@@ -1,4 +1,4 @@
-// Which units a rank is computing: a note in the journal, which outlives the rank where one ends it.
+// The units that a rank is computing: a note in the journal, which outlives the rank where one ends it.
 #pragma once
 
 #include <filesystem>
@@ -10,7 +10,7 @@
 
 namespace covaria {
 
-/// Of one rank. Its note is removed when it ends as it should.
+/// The note of one rank. It is removed when the rank ends as it should.
 class BegunUnits {
 public:
     BegunUnits(std::filesystem::path journal, int rank);
@@ -29,10 +29,10 @@ private:
 struct DeadlyUnit {
     std::string analysis, study;
     std::uint64_t unit = 0;
-    int times = 0;  ///< that it was being computed when a rank was ended
+    int times = 0;  ///< how often it was being computed when a rank was ended
 };
 
-/// What ranks left that were ended.
+/// The units in the notes of ranks that were ended.
 std::vector<DeadlyUnit> left_units(const std::filesystem::path& journal);
 /// Counts what is left, and removes the notes. All units that have ever ended a rank of this journal.
 Result<std::vector<DeadlyUnit>> counted_deadly_units(const std::filesystem::path& journal);

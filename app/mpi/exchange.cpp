@@ -78,7 +78,7 @@ public:
         done_.range.last = unit + 1;
         return true;
     }
-    /// What was handed out was not computed.
+    /// Whether units that were handed out are not computed.
     bool owes() const { return too_large_ || done_.range.last != asked_last_; }
 
 private:
@@ -172,7 +172,7 @@ bool HandingOut::answer_one() {
     return true;
 }
 
-/// Whether somebody computes units of this work, or will.
+/// Whether some rank computes units of this work, or will.
 bool HandingOut::served(std::size_t work) const {
     return std::any_of(at_.begin(), at_.end(), [&](std::uint64_t at) { return at <= work; });
 }

@@ -1,4 +1,4 @@
-// What ranks say to each other: rank 0 hands out ranges of units, the others send partial results back.
+// Messages between ranks: rank 0 hands out ranges of units, the others send partial results back.
 #pragma once
 
 #include "app/merged_run.h"
@@ -13,7 +13,7 @@ public:
     HandingOut(const SharedRun& run, PartsFolder& journal, int ranks, std::vector<DeadlyUnit> careful,
                std::stop_token stop);
     bool wait_for(std::size_t work, std::uint64_t unit) override;
-    /// Until all other ranks know that there is no more to do.
+    /// Waits until all other ranks know that there is no more to do.
     void finish();
     const std::optional<Error>& problem() const { return problem_; }
 
@@ -28,8 +28,8 @@ private:
     PartsFolder& journal_;
     std::vector<DeadlyUnit> careful_;
     std::stop_token stop_;
-    std::vector<std::uint64_t> next_;  ///< of each work
-    std::vector<std::uint64_t> at_;    ///< which work each other rank has asked for last
+    std::vector<std::uint64_t> next_;  ///< first unit of each work not handed out yet
+    std::vector<std::uint64_t> at_;    ///< the work that each other rank has asked for last
     std::size_t current_ = 0;          ///< earlier works have their results
     std::optional<Error> problem_;
 };

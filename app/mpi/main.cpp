@@ -29,7 +29,7 @@ struct Arguments {
     bool resume = false;
 };
 
-/// How often a unit may end a rank before it is not tried any more.
+/// Number of ranks that a unit may end before it is not tried any more.
 constexpr int most_ends = 3;
 
 std::string replay_of(const SharedRun& run, const std::string& analysis, std::uint64_t unit) {

@@ -48,13 +48,13 @@ std::string as_literal(std::string_view text) {
     return literal + '"';
 }
 
-/// On standard output, each text once, under what it is.
+/// A list on standard output with each text once, below a remark on what it is.
 class TextList {
 public:
     void say(std::string_view what, std::string_view text) {
         if (!looks_like_symbol(text)) say_word(what, text);
     }
-    /// Likewise, and it is no symbol, although it looks like one: "beta".
+    /// Adds a text that is no symbol, although it looks like one: "beta".
     void say_word(std::string_view what, std::string_view text) {
         if (text.empty() || !said_.insert(std::string(text)).second) return;
         std::printf("//: %.*s\nQT_TRANSLATE_NOOP(\"core\", %s)\n", int(what.size()), what.data(),
@@ -163,7 +163,7 @@ void say_parts_of_project(TextList& list) {
     for (const Writer& writer : writer_registry()) list.say("Format of a file that is written", writer.title);
 }
 
-/// Where it is running text: symbols stay.
+/// Adds the words of a text; symbols stay out.
 void say_plain(TextList& list, std::string_view what, const Text& text) {
     if (text.is_plain()) return list.say(what, text.letters());
     if (const TextPattern pattern = pattern_of(text); pattern.has_words()) list.say(what, pattern.words);
@@ -252,7 +252,7 @@ DesignResult filled_design() {
     return design;
 }
 
-/// In the same order on every machine.
+/// Files of all examples, in the same order on every machine.
 std::set<std::filesystem::path> example_files() {
     const std::filesystem::path projects = COVARIA_SOURCE_DIR "/projects";
     std::set<std::filesystem::path> files;
@@ -261,7 +261,7 @@ std::set<std::filesystem::path> example_files() {
     return files;
 }
 
-/// What models and assets show of their set-ups, by the examples.
+/// Adds the texts that models and assets of the examples show of their set-ups.
 void say_evaluations(TextList& list) {
     for (const std::filesystem::path& file : example_files()) {
         const LoadedProject loaded = load_project(file);

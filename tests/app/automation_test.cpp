@@ -106,7 +106,7 @@ TEST(Automation, WhatIsAskedForIsRunWhateverElseIsWrong) {
     EXPECT_NE(good.err.find("error: /analyses/1/"), std::string::npos) << "and it is said: " << good.err;
     EXPECT_TRUE(fs::exists(folder / "out/results.json"));
     EXPECT_EQ(run_program({"check", file, "--analysis", "good"}).status, 0);
-    // What fails leaves nothing that looks like its result.
+    // A run that fails leaves nothing that looks like its result.
     EXPECT_EQ(with("bad").status, 1);
     EXPECT_FALSE(fs::exists(folder / "out/results.json"));
     EXPECT_TRUE(fs::exists(folder / "out/results.before.json")) << "what was there is kept";

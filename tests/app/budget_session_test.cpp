@@ -44,7 +44,7 @@ TEST(BudgetSession, FromExcelToACertificateAndBack) {
     const Outcome verified = run_program({"verify-report", pdf});
     EXPECT_EQ(verified.status, 0) << verified.err;
     EXPECT_TRUE(has(verified.out, "same bits")) << verified.out;
-    // What the PDF carries is opened as a file of its own.
+    // A file carried by the PDF is opened on its own.
     const auto files = covaria::files_in_pdf(read_text(pdf));
     ASSERT_TRUE(files);
     const auto file = [&](const char* name) {

@@ -1,4 +1,4 @@
-// What the shipped examples and the front page promise: certificates that lack nothing, published figures,
+// The promises of the shipped examples and the front page: certificates that lack nothing, published figures,
 // and the figures of the README as the program prints them.
 #include <gtest/gtest.h>
 

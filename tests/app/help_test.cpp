@@ -1,5 +1,5 @@
-// What --help says is true: its examples run, the documents name commands and options that exist, and what is
-// mistyped is guessed.
+// The help is true: its examples run, the documents name commands and options that exist, and mistyped ones
+// are guessed.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -30,7 +30,7 @@ std::string help_of(const std::string& command) {
     return help.out;
 }
 
-/// As --help lists them.
+/// The commands that --help lists.
 std::vector<std::string> commands() {
     std::vector<std::string> names;
     bool listed = false;
@@ -76,7 +76,7 @@ fs::path folder_of_examples() {
     return folder;
 }
 
-/// As typed into a shell in that folder; what was printed.
+/// Output of a line typed into a shell in that folder.
 std::string printed(const std::string& line, const fs::path& folder, int& status) {
     const fs::path bin = folder / "bin", out = folder / "printed.txt";
     if (!fs::exists(bin)) {
@@ -190,7 +190,7 @@ TEST(Help, MistypedCommandsAndOptionsAreGuessed) {
     const Outcome letter = run_program({"run", gauge, "-x"});
     EXPECT_NE(letter.err.find("covaria run has no option '-x'"), std::string::npos) << letter.err;
     EXPECT_EQ(letter.err.find("did you mean"), std::string::npos) << letter.err;
-    // What is right is not guessed at.
+    // Correct words are not guessed at.
     EXPECT_NE(run_program({"run"}).err.find("FILE is required"), std::string::npos);
     EXPECT_NE(run_program({"run", gauge, "--trials", "-5"}).err.find("'-5' is not a whole number"),
               std::string::npos);

@@ -1,4 +1,4 @@
-// What must not bring the program down, or let it write what was not meant: hostile files, names and moments.
+// Hostile files, names and moments: none brings the program down, or lets it write what was not meant.
 #include <gtest/gtest.h>
 #include <sys/socket.h>
 #include <sys/stat.h>

@@ -1,4 +1,4 @@
-// What a package installs: the program from a folder of its own, its man page and its completion.
+// An installed package: the program runs from a folder of its own, with its man page and its completion.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -9,7 +9,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What a line of bash prints.
+/// Output of a line of bash.
 std::string printed_by_bash(const std::string& line, const fs::path& folder) {
     const fs::path out = folder / "printed.txt";
     const std::string command = "bash -c '" + line + "' > '" + out.string() + "' 2>&1";
@@ -56,7 +56,7 @@ TEST(Installed, BashCompletesCommandsAndOptions) {
         << "a file";
 }
 
-/// What kind of file the desktop takes it for, by what packaging/covaria.xml says. It has no ending.
+/// The kind that the desktop takes a file without an ending for, by packaging/covaria.xml.
 std::string kind_of_file(const std::string& content, const fs::path& folder) {
     write_text(folder / "file", content);
     const std::string told =

@@ -1,4 +1,4 @@
-// What commands print for programs, and numbers as programs write them.
+// Output of commands for programs, and numbers as programs write them.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>

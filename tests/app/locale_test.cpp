@@ -1,4 +1,4 @@
-// What the program writes does not depend on where its user lives: every file and every line, byte by byte.
+// Files and lines of the program are the same wherever its user lives, byte by byte.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,7 +18,7 @@ using Arguments = std::vector<std::string>;
 
 const std::string gauge = shipped_project("gum/h1-end-gauge.covaria").string();
 const std::string network = shipped_project("lsm-network.covaria").string();
-/// Its equations have letters that come from other fonts.
+/// The chain's equations have letters that come from other fonts.
 const std::string chain = shipped_project("chain.covaria").string();
 const std::string robot = shipped_project("er10l-c10.covaria").string();
 
@@ -81,7 +81,7 @@ Files files_in(const fs::path& folder) {
     return files;
 }
 
-/// As on a machine whose fonts for Chinese come first: fontconfig then takes them for letters that ours lack.
+/// Settings of a machine whose fonts for Chinese come first: fontconfig takes them for letters that ours lack
 fs::path fonts_of_a_chinese_desktop() {
     const fs::path file = fresh_folder("fonts") / "fonts.conf";
     write_text(file, R"(<?xml version="1.0"?>

@@ -20,7 +20,7 @@ enum class Ending {
 };
 /// Waits for the end.
 Outcome run_program(const std::vector<std::string>& arguments, Ending ending = Ending::by_itself);
-/// With these variables ("NAME=VALUE") in its environment.
+/// Runs the program with these variables ("NAME=VALUE") in its environment.
 Outcome run_program_with(const std::vector<std::string>& environment,
                          const std::vector<std::string>& arguments, Ending ending = Ending::by_itself);
 

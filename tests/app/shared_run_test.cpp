@@ -96,7 +96,7 @@ TEST(SharedRun, WhatIsMissingIsNamedAndResumed) {
     EXPECT_EQ(refused.status, 1);
     EXPECT_NE(refused.err.find("missing: 3-4"), std::string::npos) << refused.err;
     run.expect_same_bits(run.merge({"--resume"}));
-    // What was computed is there now.
+    // The units that were computed are in the folder now.
     run.expect_same_bits(run.merge());
     const Outcome there = run.part(1, 3, {"--resume"});
     EXPECT_NE(there.out.find("is there"), std::string::npos) << there.out;

@@ -1,5 +1,5 @@
 // Counts the lines of every class - its body and the definitions of its members, wherever they stand -
-// against 200, or against what large_classes.txt says of those that were longer when the rule came. That list
+// against 200, or against its limit in large_classes.txt if it was longer when the rule came. That list
 // may only shrink.
 #include <gtest/gtest.h>
 
@@ -26,8 +26,8 @@ std::vector<std::string> lines_of(const fs::path& file) {
     return lines;
 }
 
-/// By "core/propagation/ReducedRun". Code is formatted by clang-format, so a class and a definition end with
-/// a brace in the first column.
+/// Lines of "core/propagation/ReducedRun". Code is formatted by clang-format, so a class and a definition end
+/// with a brace in the first column.
 using Lengths = std::map<std::string, std::size_t>;
 
 void count(const fs::path& file, Lengths& bodies, Lengths& definitions) {

@@ -44,7 +44,7 @@ const std::vector<std::string> core_order = order_in("core", R"(set\(folders)");
 const std::vector<std::string> family_order = order_in("core/kinds", R"(\ncovaria_family\()");
 const std::vector<std::string> ui_order = order_in("ui", R"(foreach\(folder)");
 
-// What others wrote, or shall read, is known in the family that it is a part of; commands, windows and
+// Formats of others, read or written, are known in the family that they are a part of; commands, windows and
 // writers name it.
 const std::set<std::string> readers = {"core/kinds/robot/urdf.h", "core/kinds/robot/arm_frames.h"};
 

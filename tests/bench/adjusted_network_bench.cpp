@@ -1,6 +1,6 @@
 // The network adjustment: stations that nobody knows sight targets by direction, zenith angle and distance.
-// From the table to the estimates with the u of every coordinate, a trial, the reliability of all readings;
-// with more targets, for the growth.
+// Timed are the way from the table to the estimates with the u of every coordinate, a trial, the reliability
+// of all readings; with more targets, for the growth.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -53,7 +53,7 @@ AdjustedNetwork adjusted_hall(std::size_t stations, std::size_t targets) {
     return std::move(*adjust_stated(stated_hall(stations, targets), problems));
 }
 
-/// From the table to the u of every coordinate.
+/// Adjusts a table, and computes the u of every coordinate.
 void adjust_and_all_u(benchmark::State& state) {
     const StatedAdjustment stated =
         stated_hall(static_cast<std::size_t>(state.range(0)), static_cast<std::size_t>(state.range(1)));

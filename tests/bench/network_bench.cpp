@@ -38,7 +38,7 @@ BENCHMARK(monte_carlo)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 
-/// From an edit of a target to first-order results, as in the window.
+/// Edits a target and computes first-order results, as the window does.
 class EditedNetwork {
 public:
     explicit EditedNetwork(Project project, const char* analysis)

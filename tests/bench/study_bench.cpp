@@ -81,7 +81,7 @@ void network_trials(benchmark::State& state) {
 void pose_trials(benchmark::State& state) {
     run(state, pose_map(Method::monte_carlo));
 }
-/// At the standard error of `pose_trials`, or less: see docs/performance.md.
+/// Reaches the standard error of `pose_trials`, or less: see docs/performance.md.
 void pose_control_variates(benchmark::State& state) {
     run(state, pose_map(Method::monte_carlo, 1'024, VarianceReduction::control_variate));
 }

@@ -37,7 +37,7 @@ BENCHMARK(monte_carlo)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 
-/// From the edited project to first-order results.
+/// Computes first-order results of the edited project.
 void first_order_after_an_edit(benchmark::State& state) {
     const Project project = example();
     for (auto _ : state) {

@@ -21,7 +21,7 @@ struct Case {
     const char* title;
     const char* project;
     const char* analysis;
-    std::size_t poses;  ///< of the table "poses"; 0: all
+    std::size_t poses;  ///< rows taken of the table "poses"; 0: all
 };
 
 constexpr Case cases[] = {
@@ -56,9 +56,9 @@ double processor_seconds(const std::function<void()>& work) {
 
 constexpr std::uint64_t trials = 1'000'000;
 constexpr int repetitions = 3;  // the least time of them
-constexpr double goal = 1e-3;   // of u
+constexpr double goal = 1e-3;   // part of u
 
-/// Of the figure of the measurands that needs most.
+/// The cost of trials, for the figure of the measurands that needs most.
 struct Cost {
     double seconds_per_trial = 0.0;
     double end_error = 0.0, plain_end_error = 0.0;  ///< at `trials`, in u

@@ -1,4 +1,4 @@
-// What a user waits for in the window, as a table: start, a live edit, turning the scene, dragging an
+// Times that a user waits for in the window, as a table: start, a live edit, turning the scene, dragging an
 // instrument, memory. Run by hand; the goals are those of docs/performance.md.
 // usage: window_bench [start|edit|turn|drag|large|memory ...]
 #include <unistd.h>
@@ -75,7 +75,7 @@ struct OpenWindow {
     void wait_usable() {
         while (!is_usable()) QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
     }
-    /// By the keyboard; returns when its results are shown: the law of propagation's (which come first), or
+    /// Edits by the keyboard; returns when results are shown: the law of propagation's (which come first), or
     /// those of trials, ms.
     double live_edit(int i, bool trials = false) {
         QLineEdit* edit = field();
@@ -159,7 +159,7 @@ void measure_turning() {
     row("turning 1e5 trials at 1280 x 800: pictures a second", pictures / seconds, "1/s", "goal 20");
 }
 
-/// How often in a second the ellipsoids follow while an instrument of the network is dragged.
+/// Measures how often in a second ellipsoids follow while an instrument of the network is dragged.
 void measure_dragging() {
     OpenWindow open(network_file);
     const auto busy = [&] { return !open.status().result || open.window.scene().view().image().isNull(); };

@@ -36,7 +36,7 @@ inline std::shared_ptr<const PreparedAnalysis> made_analysis(const Project& proj
     return made->analysis(id);
 }
 
-/// Of no project: with these inputs, to be looked at.
+/// An analysis of no project with these inputs, to be looked at.
 inline std::shared_ptr<const PreparedAnalysis> analysis_with(const std::string& id, InputSet inputs) {
     const auto propagated =
         std::make_shared<const PropagatedModel>(nullptr, std::make_shared<const InputSet>(std::move(inputs)));

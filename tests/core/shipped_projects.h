@@ -13,7 +13,7 @@
 
 namespace covaria {
 
-/// In the order of their paths.
+/// Files of all projects, in the order of their paths.
 inline std::vector<std::filesystem::path> shipped_projects() {
     std::vector<std::filesystem::path> files;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(data_directory() / "projects"))
@@ -22,7 +22,7 @@ inline std::vector<std::filesystem::path> shipped_projects() {
     return files;
 }
 
-/// Of a test by the file: letters and digits of its name.
+/// Name of a test after its file: letters and digits.
 inline std::string test_name_of(const testing::TestParamInfo<std::filesystem::path>& instance) {
     std::string name = instance.param.stem().string();
     std::replace_if(

@@ -14,7 +14,7 @@ inline std::vector<std::vector<Cell>> rows_of(const Table& table) {
     return rows;
 }
 
-/// Of a cell with a computed number.
+/// The number of a computed cell, SI.
 inline double si_of(const Cell& cell) {
     return std::get<Measured>(cell).si;
 }

@@ -18,10 +18,10 @@
 namespace {
 
 using namespace covaria::fuzz;
-// Of the processor's time: what a busy machine does to an input is no property of it.
+// The limits are of the processor's time: they do not depend on how busy the machine is.
 constexpr int patience_s = 20;
 constexpr double slow_s = 5.0;
-constexpr unsigned longest_wait_s = 600;  // of the clock: something waits for what never comes
+constexpr unsigned longest_wait_s = 600;  // by the clock: something waits for what never comes
 
 double processor_seconds() {
     timespec now{};
@@ -35,7 +35,7 @@ void watch_time(bool on) {
     alarm(on ? longest_wait_s : 0);
 }
 
-// Of the input in work, for the handler: it may call next to nothing.
+// The input in work, for the handler, which may call next to nothing.
 const std::string* current = nullptr;
 char file_of_current[512] = "";
 

@@ -1,4 +1,4 @@
-// What is fuzzed, and the damage that is done to it.
+// The kinds of input that are fuzzed, and the damage that is done to them.
 #pragma once
 
 #include <cstdint>
@@ -42,11 +42,11 @@ std::string damaged_text(std::string text, const std::vector<std::string>& words
 /// Changes values: other numbers, texts and kinds, rows and keys left out, repeated and swapped.
 void damage(Json& document, Noise& noise);
 
-/// What became of one input.
+/// The fate of one input.
 struct Outcome {
     bool accepted = false;
     bool evaluated = false;
-    std::string complaint = {};  ///< what must not be: an error without a place, a defect that was met
+    std::string complaint = {};  ///< a fault of the program: an error without a place, a defect that was met
 };
 
 /// One kind of input.

@@ -20,7 +20,7 @@ std::string shown(const Problem& problem) {
            problem.message.english();
 }
 
-/// What must never be said, whatever is put in.
+/// Whether the message is one that no input may cause.
 bool is_defect(const std::string& message) {
     return message.find("a defect of the program") != std::string::npos;
 }
@@ -100,7 +100,7 @@ Json with_one_analysis(Json document, std::size_t index) {
         if (names(analyses, id) || names(used, id)) {
             used.push_back(left[i]);
             left.erase(i);
-            i = 0;  // what it names may stand before it
+            i = 0;  // an asset before it may be named by it
         } else {
             ++i;
         }

@@ -50,7 +50,7 @@ public:
     }
 
 private:
-    /// What a zip file holds is damaged too: its checksums would refuse all else.
+    /// Damages a text, or a part within a zip file: its checksums would refuse damage of the whole.
     std::string damaged(const std::string& text, Noise& noise) const {
         auto zip = text.starts_with("PK") && !noise.chance(8) ? ZipParts::open(text, 16'000'000)
                                                               : Result<ZipParts>(fail(Error{}));
@@ -71,14 +71,14 @@ private:
 
     static Outcome refused(const Error& error) {
         if (error.message.english().empty()) return {false, false, "an error without words"};
-        // What has to be stated first, and what nothing is in, has no line.
+        // An error about the whole file (nothing in it, a choice to state first) has no line.
         const bool whole =
             error.code == ErrorCode::usage || error.message.english().starts_with("the file has ");
         return {false, false,
                 whole || error.line > 0 ? "" : "an error without a line: " + error.message.english()};
     }
 
-    /// What was proposed may contradict itself, which has its place then; it is never a defect.
+    /// A proposal may contradict itself at a place, but must never show a defect of the program.
     static Outcome accepted(const Proposals& proposals) {
         Project project;
         add_to_project(project, proposals);

@@ -95,7 +95,7 @@ class Module(unittest.TestCase):
             np.testing.assert_array_equal(every, np.array([analysis.model(row) for row in x]))
             # A run uses vector code: the same but for the last bits.
             np.testing.assert_allclose(every, y, rtol=1e-12)
-            # However the matrix lies in memory, and of whatever numbers it is.
+            # The result is the same however the matrix lies in memory, and whatever its number type.
             np.testing.assert_array_equal(analysis.model(np.asfortranarray(x)), every)
             np.testing.assert_array_equal(analysis.model(x[::2]), every[::2])
             np.testing.assert_array_equal(analysis(x.tolist()), every)

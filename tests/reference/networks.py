@@ -39,7 +39,7 @@ LENGTHS = ("slope-distance", "horizontal-distance", "height-difference", "x", "y
 
 
 def with_units(row):
-    """Heads without a unit are in that of the declaration."""
+    """The row with numbers; heads without a unit are in that of the declaration."""
     return {key: mp.mpf(value) * factor(UNIT_OF_U[key]) if key in UNIT_OF_U and isinstance(value, str) else
             mp.mpf(value) if key in ("length", "angle", "height_from", "height_to") and isinstance(value, str) else value for key, value in row.items()}
 

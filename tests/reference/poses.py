@@ -133,7 +133,7 @@ class Points:
         return three_two_one(points, self.side, self.shift)
 
     def lay(self):
-        """For 3-2-1, the nominal points in the frame that they define."""
+        """Lays the nominal points into the frame that they define by 3-2-1."""
         r, o = three_two_one(self.nominal, self.side, self.shift)
         self.laid = [times(transposed(r), minus(p, o)) for p in self.nominal]
 

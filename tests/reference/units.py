@@ -21,7 +21,7 @@ def one(name):
 
 
 def factor(text):
-    """Of an expression such as "kg/m^3" or "nm/(m K)"."""
+    """The factor to SI units of an expression such as "kg/m^3" or "nm/(m K)"."""
     tokens = re.findall(r"[A-Za-zµΩ°%]+|\d+|[*/^()·]|-", (text or "1").replace("²", "^2").replace("³", "^3"))
     at = 0
 
@@ -63,5 +63,5 @@ def zero(text):
 
 
 def number(value):
-    """Of a cell, as a program reads it."""
+    """The number in a cell, as a program reads it."""
     return mp.mpf(float(value))

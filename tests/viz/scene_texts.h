@@ -1,4 +1,4 @@
-// What is written in a scene, and a language by which it can be told what went through it.
+// The texts of a scene, and a language by which one can tell which of them went through it.
 #pragma once
 
 #include <string>

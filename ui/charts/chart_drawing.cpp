@@ -120,7 +120,7 @@ void draw_heat_map(QPainter& painter, const ChartDrawing& chart, const PlotSerie
     }
 }
 
-/// From the top down, each colour over the end of the last: no seams.
+/// Draws it from the top down, each colour over the end of the last: no seams.
 void draw_colour_bar(QPainter& painter, const ChartDrawing& chart) {
     const QRectF& bar = chart.layout.colour_bar;
     if (bar.isEmpty()) return;

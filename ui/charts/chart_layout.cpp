@@ -1,4 +1,4 @@
-// Where everything of a chart goes.
+// The place of every part of a chart.
 #include "ui/charts/chart_layout.h"
 
 #include <QFontMetricsF>
@@ -13,8 +13,8 @@
 namespace covaria::ui {
 namespace {
 
-constexpr double least_part = 0.33;     // of the chart, for the data; else the legend is left out
-constexpr double closest_lines = 0.86;  // of a line's height: names of rows that do not touch yet
+constexpr double least_part = 0.33;     // part of the chart that its data need; else the legend is left out
+constexpr double closest_lines = 0.86;  // part of a line's height at which names of rows do not touch yet
 
 double widest(const Ticks& ticks, const QFont& font) {
     double width = 0.0;
@@ -115,7 +115,7 @@ Ticks fitting_y_ticks(const Sheet& sheet, double height) {
     return fitting_ticks(std::max(2, static_cast<int>(height / (46.0 * sheet.unit))), make, fits);
 }
 
-/// What is written along the axes.
+/// The texts along the axes.
 class AxisTexts {
 public:
     explicit AxisTexts(Sheet& sheet) : sheet_(sheet) {}
@@ -392,7 +392,7 @@ private:
     Sheet sheet_;
     bool map_;
     bool compact_ = false;  // no room for a legend
-    int rows_ = 0;          // of mark labels
+    int rows_ = 0;          // rows of mark labels
     std::vector<MarkLabel> labels_;
 };
 
@@ -403,7 +403,7 @@ ChartFonts fonts_for(double width) {
     QFont font(text_families());
     font.setPixelSize(size);
     font.setHintingPreference(QFont::PreferNoHinting);
-    // As in the report: alternates of parentheses and signs would be lost when text is copied out of a PDF.
+    // Reports have it, too: alternates of parentheses and signs would be lost in text copied out of a PDF.
     font.setStyleStrategy(QFont::PreferNoShaping);
     ChartFonts fonts{font, font, with_tabular_figures(font), size / 12.0};
     fonts.title.setPixelSize(size + 1);

@@ -1,4 +1,4 @@
-// Where everything of a chart goes: plot area, ticks, texts, legend. Pure, so that tests can ask whether
+// The place of every part of a chart: plot area, ticks, texts, legend. Pure, so that tests can ask whether
 // texts collide.
 #pragma once
 
@@ -14,7 +14,7 @@ namespace covaria::ui {
 /// Fonts by the chart's width: a chart 80 mm wide (about 300 units of 1/96 inch) still has 7.5 pt.
 struct ChartFonts {
     QFont title, label, figures;
-    double scale = 1.0;  ///< of line widths and distances; 1 for the largest
+    double scale = 1.0;  ///< scales line widths and distances; 1 in the largest chart
 };
 ChartFonts fonts_for(double width);
 
@@ -43,7 +43,7 @@ struct ChartLayout {
     std::vector<LegendEntry> legend;
     std::vector<double>
         mark_tops;      ///< per mark: where its line begins, above the plot area for labelled ones
-    QRectF colour_bar;  ///< of a heat map
+    QRectF colour_bar;  ///< empty except for a heat map
 };
 
 /// Lengths in units of 1/96 inch. A specification without series gives its title as a message in the middle.

@@ -17,7 +17,7 @@ class QPainter;
 
 namespace covaria::ui {
 
-/// The caller owns it, or the scene that it is added to.
+/// The caller owns the chart, or the scene that it is added to.
 QChart* make_chart(const PlotSpecification& plot, const Theme& theme);
 
 /// Draws the chart into `area` of the painter, as vectors. Sizes of texts follow the resolution of the paint

@@ -18,7 +18,7 @@
 namespace covaria::ui {
 namespace {
 
-constexpr double least_zoomed_part = 1e-3;  // of the whole range, that zooming in may show
+constexpr double least_zoomed_part = 1e-3;  // least part of the whole range that zooming in may show
 
 /// Moves [low, high] into [least, most], and cuts what is larger.
 void keep_inside(double& low, double& high, double least, double most) {

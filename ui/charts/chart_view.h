@@ -24,7 +24,7 @@ public:
     void set_plot(PlotSpecification plot);
     const PlotSpecification& plot() const;
     void set_theme(const Theme& theme);
-    /// Bars lead somewhere (`bar_clicked`), and the pointer says so. The first `count` of them.
+    /// Makes the first `count` bars lead somewhere (`bar_clicked`), and the pointer says so.
     void set_clickable_bars(int count) { clickable_bars_ = count; }
     const PlotChart& chart() const { return *chart_; }
 
@@ -45,7 +45,7 @@ public:
 signals:
     void read_out_changed(const QString& text);  ///< empty when the pointer is on nothing
     void saved(const QString& file);
-    /// A horizontal bar, from 0.
+    /// A horizontal bar was clicked: its number, from 0.
     void bar_clicked(int bar);
 
 protected:

@@ -1,4 +1,4 @@
-// What mouse, keys and menus do to a chart in the window.
+// The effects of mouse, keys and menus on a chart in the window.
 #include <QContextMenuEvent>
 #include <QGraphicsScene>
 #include <QMenu>

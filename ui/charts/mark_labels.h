@@ -6,7 +6,7 @@
 namespace covaria::ui {
 
 struct MarkLabel {
-    double at = 0.0;  ///< where the middle should be
+    double at = 0.0;  ///< wanted place of its middle
     double width = 0.0;
     bool prominent = false;  ///< goes to the upper row when one row does not do
     double left = 0.0;       ///< result

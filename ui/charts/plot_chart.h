@@ -20,7 +20,7 @@ public:
     const PlotSpecification& plot() const { return plot_; }
     const Theme& theme() const { return theme_; }
     void set_theme(const Theme& theme);
-    /// The part of the data that is shown; `whole()` to begin with.
+    /// Shows this part of the data; `whole()` to begin with.
     void set_view(const PlotView& view);
     const PlotView& view() const { return view_; }
     PlotView whole() const { return whole_view(plot_); }

@@ -86,8 +86,8 @@ Range range_of(const PlotAxis& axis, Range from_data) {
     return stated.high > stated.low ? stated : from_data;
 }
 
-/// How far on the way from one end of an axis to the other. What is far outside stays there, at a place that
-/// painters can compute with.
+/// Part of the way from one end of an axis to the other, limited far outside: painters can compute with
+/// places there.
 double part_of(double coordinate, double low, double high) {
     constexpr double far_outside = 1e5;
     return std::clamp((coordinate - low) / (high - low), -far_outside, far_outside);

@@ -1,4 +1,4 @@
-// Which part of the data a chart shows, and where a value lies on it.
+// The part of the data that a chart shows, and the place of a value on it.
 #pragma once
 
 #include <QPointF>
@@ -14,7 +14,7 @@ struct PlotView {
     bool operator==(const PlotView&) const = default;
 };
 
-/// All of the data, with margins, or what the specification's axes ask for.
+/// The view of all data, with margins, or of what the specification's axes ask for.
 PlotView whole_view(const PlotSpecification& plot);
 bool has_heat_map(const PlotSpecification& plot);
 /// Coordinate on the axis: log10 of the value where the axis is logarithmic.
@@ -33,7 +33,7 @@ struct PlotGeometry {
     QPointF coordinates_at(QPointF place) const;
 };
 
-/// Of horizontal bars, in coordinates of their axis: few of them do not become blocks as high as the chart.
+/// Half the thickness of horizontal bars, in coordinates of their axis: few bars are not as thick as blocks.
 /// `scale` is that of the chart's fonts.
 double half_bar(const PlotGeometry& geometry, const PlotSeries& bars, double scale);
 

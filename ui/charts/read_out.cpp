@@ -13,12 +13,12 @@ namespace {
 
 /// "x = −120.3 mm"
 Text named(const Text& title, const Text& number, const std::string& unit) {
-    const bool is_sign = unit == "°" || unit == "′" || unit == "″";  // as unit_after_number has them
+    const bool is_sign = unit == "°" || unit == "′" || unit == "″";  // as in unit_after_number
     const std::string behind = unit.empty() ? "" : (is_sign ? "" : "\u00a0") + unit;
     return title + " = " + number + behind;
 }
 
-/// To a thousandth of the range that is shown.
+/// The value with decimals to a thousandth of the range that is shown.
 Text value_text(const PlotAxis& axis, double value, double low, double high) {
     const double range = axis.logarithmic ? value : high - low;
     return named(axis.title,

@@ -10,7 +10,7 @@ namespace covaria::ui {
 struct ReadOut {
     Text text;
     std::optional<QPointF> point;         ///< place of the value, where it is a point
-    std::optional<std::size_t> bar = {};  ///< of horizontal bars: which
+    std::optional<std::size_t> bar = {};  ///< number of the horizontal bar
 };
 
 /// The cell of a map or of a histogram that holds `place`, the bar in its row, or the point of a series

@@ -15,7 +15,7 @@ Autosave::Autosave(Document& document, RecoveryStore store, QObject* parent)
     timer_.setSingleShot(true);
     timer_.setInterval(1000);
     connect(&timer_, &QTimer::timeout, this, &Autosave::write);
-    // Not restarted by further edits: a minute of steady typing must not stay unwritten.
+    // Further edits do not restart it: a minute of steady typing must not stay unwritten.
     const auto schedule = [this] {
         if (document_.is_modified() && !timer_.isActive()) timer_.start();
     };

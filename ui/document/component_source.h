@@ -1,4 +1,4 @@
-// Where a component of a budget is stated, to go there.
+// The place where a component of a budget is stated, to go there.
 #pragma once
 
 #include <QString>
@@ -9,7 +9,7 @@
 namespace covaria::ui {
 
 /// JSON pointer into the project: the asset or analysis that brings it in, the row or field of the set-up
-/// that states it, else the input quantity that it is of. Empty where the project has nothing of it any more.
+/// that states it, else its input quantity. Empty where the project no longer has it.
 QString place_of_component(const Project& project, const PreparedAnalysis& analysis,
                            const BudgetComponent& component);
 

@@ -23,7 +23,7 @@ Result<void> copy_linked_files(const Project& project, const std::filesystem::pa
                           0});
     }
     for (const fs::path name : context_files(project)) {
-        std::error_code error;  // what is missing is warned of where it is used
+        std::error_code error;  // ignored: a missing file is warned of where it is used
         if (!name.is_relative() || is_led_out_of(project.directory, name)) continue;
         fs::create_directories((folder / name).parent_path(), error);
         fs::copy_file(project.directory / name, folder / name, fs::copy_options::skip_existing, error);

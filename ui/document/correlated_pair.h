@@ -1,4 +1,4 @@
-// Which pair a place among the correlations of an analysis names.
+// The pair that a place among the correlations of an analysis names.
 #pragma once
 
 #include <optional>
@@ -15,11 +15,11 @@ using CorrelatedPair = std::pair<std::string, std::string>;  ///< ids of compone
 inline constexpr const char* correlations_part = "/correlations/";
 /// "/correlations/a.1|b.1", whatever the order of the two.
 std::string part_of_pair(const std::string& first, const std::string& second);
-/// Of such a part. Empty: of none.
+/// Pair that such a part names. Empty: it names none.
 std::optional<CorrelatedPair> pair_of(const std::string& part);
 
-/// Of such a part, or of one that names a correlation by its number ("/correlations/3/coefficient"). Empty:
-/// of none.
+/// Pair that such a part names, or one that names a correlation by number ("/correlations/3/coefficient").
+/// Empty: it names none.
 std::optional<CorrelatedPair> pair_in(const AnalysisEntry& analysis, const std::string& part);
 
 }  // namespace covaria::ui

@@ -22,7 +22,7 @@ std::filesystem::path folder_of(const QString& file) {
                           : project_folder(to_path(QFileInfo(file).absoluteFilePath()));
 }
 
-/// Of texts that cannot be read: they came with a step of the history, or after it.
+/// Numbers for texts that cannot be read: they came with a step of the history, or after it.
 int with_step(int index) {
     return 2 * index;
 }
@@ -97,7 +97,7 @@ void Document::end_merging() {
 void Document::push(const QString& text, ProjectSnapshot after, const QString& merge_key) {
     const int window = is_merging_ ? std::numeric_limits<int>::max() : merge_window_;
     undo_stack_.push(new ProjectCommand(*this, text, std::move(after), {merge_key, merge_series_, window}));
-    // What is refused of a pasted block comes with the step, until the caller has returned.
+    // Refused texts of a pasted block belong to the step, until the caller has returned.
     unread_.begin_step(with_step(undo_stack_.index()));
     QMetaObject::invokeMethod(
         this, [this] { unread_.begin_step(after_step(undo_stack_.index())); }, Qt::QueuedConnection);
@@ -225,7 +225,7 @@ void Document::adopt_opened(const QString& file, const LoadedProject& loaded) {
 
 void Document::open_in_background(const QString& file) {
     const auto load = [this, file](const std::stop_token&) -> JobQueue::Delivery {
-        // Before it is read: who writes it meanwhile is noticed.
+        // The content is taken before the file is read, so that a writer in between is noticed.
         const QByteArray content = FileWatch::content_of(file);
         auto loaded = std::make_shared<const LoadedProject>(load_file(file));
         return [this, file, loaded, content] {

@@ -24,7 +24,7 @@ class Document : public QObject {
     Q_OBJECT
 public:
     explicit Document(QObject* parent = nullptr);
-    /// With other problems than those of the made project.
+    /// `check`: finds the problems, in place of those of the made project.
     Document(ProjectMaker::Check check, QObject* parent);
     ~Document() override;
 
@@ -59,10 +59,10 @@ public:
     const QString& file() const { return file_; }  ///< empty: never saved
     /// The file's name without folder and ending, or the title, or "Untitled".
     QString display_name() const;
-    /// The same, and the report that the project was taken out of, until it is saved.
+    /// The display name, and the report that the project was taken out of, until it is saved.
     QString heading() const;
 
-    /// Another project takes the place of this one; history and file are forgotten.
+    /// Puts another project in the place of this one; history and file are forgotten.
     void replace(Project project);
     void replace_by(const LoadedProject& loaded);
     /// A project read from a recovery file: like `open`, but unsaved.
@@ -78,9 +78,9 @@ public:
     /// CSV files the project refers to are copied beside the new file where they are not there yet.
     Result<void> save_as(const QString& file);
 
-    /// Those of the project and the texts that cannot be read.
+    /// Problems of the project and of the texts that cannot be read.
     const Problems& problems() const { return problems_; }
-    /// What was typed into fields and cells and cannot be read: not part of the project.
+    /// Texts typed into fields and cells that cannot be read: not part of the project.
     UnreadTexts& unread() { return unread_; }
     const UnreadTexts& unread() const { return unread_; }
     /// Makes the project after every change, in a worker thread: who reads what is made follows it.
@@ -102,7 +102,7 @@ signals:
 private:
     friend class ProjectCommand;
     void set_project(ProjectSnapshot project, KeptProject::Pointer kept);
-    /// Of the history.
+    /// Sets a project of the history.
     void set_project(const KeptProject::Pointer& kept) {
         set_project(std::make_shared<const Project>(kept->project()), kept);
     }
@@ -128,11 +128,11 @@ private:
     QUndoStack undo_stack_;
     ProjectMaker maker_;
     UnreadTexts unread_;
-    Problems of_made_;  ///< as far as it is the project of now
+    Problems of_made_;  ///< problems of the made project, as long as that is the present one
     Problems problems_;
     FileWatch watch_;
     QString file_;
-    QString report_;        ///< that the project was taken out of; empty: of none
+    QString report_;        ///< the report that the project was taken out of; empty: none
     bool unsaved_ = false;  ///< recovered, or the file differs
     int merge_window_ = 2000;
     int merge_series_ = 0;

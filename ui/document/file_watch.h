@@ -16,7 +16,7 @@ public:
     /// Watches `file` from its present content on; an empty name watches nothing.
     void watch(const QString& file);
     const QString& file() const { return file_; }
-    /// What `file` holds at this moment, to be told whether it was another when it was read.
+    /// Content of `file` at this moment, to be told whether it was another when it was read.
     static QByteArray content_of(const QString& file);
     /// The watched file was read when it had this content: `changed` follows if it has another one by now.
     void was_read_as(const QByteArray& content);

@@ -108,7 +108,7 @@ Study new_study(const Project& project, const AnalysisEntry& analysis) {
 
 namespace {
 
-/// What is chosen most: where an instrument stands, then other poses; last what nobody can choose.
+/// Rank of a choice: poses of instruments are chosen most and come first, measured values come last.
 int rank_as_variable(const Project& project, const StudyTargetChoice& choice) {
     const StudyTarget& target = choice.target;
     if (target.measured) return 4;

@@ -15,7 +15,7 @@ namespace covaria::ui {
 template <class Item>
 class InquiryList {
 public:
-    /// What people read, and the beginning of ids.
+    /// Words of undo steps and names, and the beginning of ids.
     struct Words {
         QString add, duplicate, remove, change;
         QString name;  ///< "Study %1"
@@ -27,7 +27,7 @@ public:
     const std::vector<Item>& of(const AnalysisEntry& analysis) const { return analysis.*list_; }
     /// Null when there is none.
     const Item* find(const Project& project, const std::string& analysis, const std::string& id) const;
-    /// With an id and a name of its own; returns the id.
+    /// Adds an item with an id and a name of its own; returns the id.
     std::string add(Document& document, const std::string& analysis, Item item) const;
     std::string duplicate(Document& document, const std::string& analysis, const std::string& id) const;
     void remove(Document& document, const std::string& analysis, const std::string& id) const;
@@ -45,14 +45,14 @@ private:
 const InquiryList<Study>& study_list();
 const InquiryList<Design>& design_list();
 
-/// What is offered first: it varies the first number that the analysis offers.
+/// The study offered first: it varies the first number that the analysis offers.
 Study new_study(const Project& project, const AnalysisEntry& analysis);
 /// The first number that can be chosen, besides those that are already: where an instrument stands before
 /// other numbers, and what was measured only where there is nothing else. Between half and one and a half
 /// times its present value or as far as makes sense. None: there is no further number.
 std::optional<DesignVariable> next_variable(const Project& project, const AnalysisEntry& analysis,
                                             const std::vector<DesignVariable>& before);
-/// It chooses the first of those.
+/// A design that chooses the first of those variables.
 Design new_design(const Project& project, const AnalysisEntry& analysis);
 
 }  // namespace covaria::ui

@@ -10,10 +10,10 @@
 namespace covaria::ui {
 
 struct ItemMove {
-    QString name;         ///< of the thing, for the undo list
-    LayoutSource source;  ///< where its position is written
+    QString name;         ///< the item's name, for the undo list
+    LayoutSource source;  ///< the place that states its position
     Eigen::Vector3d p_W = Eigen::Vector3d::Zero();
-    double step = 1e-3;  ///< to which the position is meant, m
+    double step = 1e-3;  ///< the position is meant to this, m
 };
 
 /// Moves of one thing that follow each other merge into one undo step, until `Document::end_merging`.
@@ -26,12 +26,12 @@ QString place_of_coordinates(const Project& project, const SetupAddress& entry, 
 
 struct ItemTurn {
     QString name;
-    LayoutSource source;  ///< where its pose is written
+    LayoutSource source;  ///< the place that states its pose
     Eigen::Matrix3d R_WF = Eigen::Matrix3d::Identity();
-    double step = 1e-3;  ///< to which the orientation is meant, rad
+    double step = 1e-3;  ///< the orientation is meant to this, rad
 };
 
-/// Likewise for turns.
+/// Turns of one thing merge and fail as moves do.
 bool turn_item(Document& document, const SetupAddress& entry, const ItemTurn& turn);
 
 }  // namespace covaria::ui

@@ -11,7 +11,7 @@
 namespace covaria::ui {
 namespace {
 
-constexpr int longest_chain = 32;  ///< of references that are followed; circles are errors of their own
+constexpr int longest_chain = 32;  ///< limit of references followed; circles are errors of their own
 
 const Setup* setup_of(const Project& project, const SetupAddress& address) {
     if (address.owner == SetupOwner::asset) {
@@ -47,7 +47,7 @@ bool is_empty_cell(const FieldSpec& field, const SetupTable& table, const std::s
            std::holds_alternative<std::monostate>(table.rows[row][column]);
 }
 
-/// At "/analyses/0/setup/equations/2/8-8"; '\0' behind the end of its line. Empty: the path has no columns.
+/// Character at "/analyses/0/setup/equations/2/8-8"; '\0' behind the end of its line. Empty: no columns.
 std::optional<char> character_at(const std::string& text, const std::string& path) {
     const std::size_t columns = path.rfind('/'), line = path.rfind('/', columns - 1);
     if (path.find('-', columns) == std::string::npos) return std::nullopt;
@@ -61,7 +61,7 @@ std::optional<char> character_at(const std::string& text, const std::string& pat
     return at == found.end() ? '\0' : *at;
 }
 
-/// It ends too soon, a parenthesis is not closed, or a name has no row yet: it is still being typed.
+/// Whether a text is still being typed: it ends too soon, a parenthesis is open, or a name has no row yet.
 bool is_begun(const Project& project, const SetupAddress& address, const std::string& text,
               const std::string& path) {
     const std::optional<char> at = character_at(text, path);
@@ -119,7 +119,7 @@ std::optional<MissingField> next(const Project& project, const Problems& all, co
         const SetupAddress address = address_of_path(project, problem.path);
         const FieldSpec* field = find_schema(project, address)->find(field_in(problem.path, entry));
         const SetupValue& value = value_of(*field, *setup_of(project, address));
-        const bool is_table = std::holds_alternative<SetupTable>(value);  // of which a cell is empty
+        const bool is_table = std::holds_alternative<SetupTable>(value);  // a cell of it is empty
         const bool has_place = is_table || field->several_lines;
         if (has_place || is_empty(value) || setup_of(project, address)->values.empty())
             return MissingField{field->title, problem.path};

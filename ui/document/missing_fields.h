@@ -1,4 +1,4 @@
-// What is not given yet: an entry that lacks something is unfinished, not wrong.
+// Fields that are not given yet: an entry that lacks some is unfinished, not wrong.
 #pragma once
 
 #include <optional>

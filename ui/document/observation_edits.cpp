@@ -24,7 +24,7 @@ std::string text_in(const SetupCell& cell) {
     return text ? *text : std::string();
 }
 
-/// Of the series without a name, or of the only one there is.
+/// Rows of the series without a name, or of the only one there is.
 std::vector<std::size_t> rows_of(const SetupTable& table, const Columns& at, const std::string& symbol) {
     std::vector<std::size_t> unnamed, named;
     std::string name;

@@ -12,20 +12,20 @@ namespace covaria::ui {
 /// The table in which the set-up has them (FieldSpec::observes_quantities); null: it has none.
 const FieldSpec* observing_table(const Project& project, const SetupAddress& address);
 
-/// Of the series that is measured now, in the unit of the quantity.
+/// Observations of the series that is measured now, in the unit of the quantity.
 std::vector<double> observations_of(const Project& project, const SetupAddress& address,
                                     const std::string& symbol);
 /// Their weights, as many as values (a histogram: less the last); empty: they have none.
 std::vector<double> weights_of(const Project& project, const SetupAddress& address,
                                const std::string& symbol);
-/// A statement that is made by rows of that table: observations, a sample, a histogram.
+/// Whether the statement is made by rows of that table: observations, a sample, a histogram.
 bool is_listed(const std::string& statement);
 /// Mean of the values with their weights, or of the cells of a histogram, without the noise of the
 /// sum: 10.13, not 10.129999999999999. Empty: there are none.
 std::optional<double> listed_mean(const Project& project, const SetupAddress& address,
                                   const std::string& symbol);
-/// Takes the place of that series. As many as before keep their numbers, else they have none; behind the last
-/// of the weights there is none.
+/// Replaces that series. Rows keep their numbers if there are as many as before, else they have none; behind
+/// the last of the weights there is none.
 void set_observations(Project& project, const SetupAddress& address, const std::string& symbol,
                       const std::vector<double>& values, const std::vector<double>& weights = {});
 /// The file that the rows are read from, and which cannot be edited here; empty: none.

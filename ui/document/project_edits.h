@@ -26,7 +26,7 @@ std::string add_analysis(Document& document, const std::string& model, const Eva
 std::string add_from_template(Document& document, const AnalysisTemplate& wanted, QString& why);
 /// Id of the copy, which stands right after the original.
 std::string duplicate(Document& document, const SetupAddress& entry);
-/// Of an entry, or the title of the project.
+/// Renames an entry, or gives the project another title.
 void rename(Document& document, const SetupAddress& entry, const QString& name);
 void set_notes(Document& document, const SetupAddress& entry, const QString& notes);
 void remove(Document& document, const SetupAddress& entry);

@@ -20,22 +20,22 @@ public:
     using Check = std::function<Problems(const MadeProject&)>;
 
     explicit ProjectMaker(Execution execution = Execution::threads, QObject* parent = nullptr);
-    /// With other problems than those of the made project.
+    /// `check`: finds the problems, in place of those of the made project.
     ProjectMaker(Check check, Execution execution, QObject* parent);
 
-    /// Of states that follow each other faster than they are made some are left out, never the last. The
-    /// state that was asked for last is not made again.
+    /// Makes the project in a worker. Some states are left out if they follow each other faster, never the
+    /// last. The state that was asked for last is not made again.
     void request(ProjectSnapshot project);
     /// Synchronous twin of `request`; emits `made_changed` before it returns.
     void make_now(ProjectSnapshot project);
-    /// As `request`, for a project that is made already: only its problems are asked for.
+    /// Takes a project that is made already, and finds only its problems.
     void take(MadeProject::Pointer made);
-    /// Another project is to come: nothing of the former is made or delivered any more.
+    /// Stops making and delivering states of the present project: another one is to come.
     void forget();
 
-    /// The newest that is made; null before the first.
+    /// The newest project that is made; null before the first.
     const MadeProject::Pointer& made() const { return made_; }
-    /// Of that.
+    /// Problems of `made()`.
     const Problems& problems() const { return problems_; }
     /// A newer state is being made.
     bool is_making() const { return job_.is_busy(); }
@@ -62,7 +62,7 @@ private:
     MadeProject::Pointer made_;
     Problems problems_;
     ProjectSnapshot requested_;
-    mutable std::mutex mutex_;     ///< of `before_`
+    mutable std::mutex mutex_;     ///< guards `before_`
     MadeProject::Pointer before_;  ///< the last that was made, which may not be delivered yet
     LatestJob job_;                ///< last member: its thread ends first
 };

@@ -18,16 +18,16 @@ void change_input(Document& document, const std::string& analysis, const std::st
                   const QString& text, const std::function<void(InputEdit&)>& change,
                   const QString& merge_key = {});
 
-/// What people wrote about a quantity.
+/// Notes that people wrote about a quantity.
 QString quantity_notes(const Project& project, const std::string& analysis, const std::string& symbol);
 /// Empty notes are removed.
 void set_quantity_notes(Document& document, const std::string& analysis, const std::string& symbol,
                         const QString& notes);
 
-/// Where a quantity takes its value from; empty: it has its own.
+/// The link that a quantity takes its value from; empty: it has its own.
 std::optional<InputLink> find_link(const Project& project, const std::string& analysis,
                                    const std::string& symbol);
-/// Takes the place of the quantity's link and of its edits, which have no effect beside one.
+/// Replaces the quantity's link and its edits, which have no effect beside one.
 void set_link(Document& document, const std::string& analysis, const std::string& symbol,
               const std::optional<InputLink>& link);
 

@@ -17,7 +17,7 @@ QString plain_number(QString text) {
     return text;
 }
 
-/// With what to type, where the decimal sign is that of another language.
+/// Words on a text that is no number, with what to type if its decimal sign is that of another language.
 QString not_a_number(const QString& text, const QLocale& locale) {
     const QString words = tr("“%1” is not a number.").arg(text);
     const bool comma = locale.decimalPoint() == QLatin1String(",");
@@ -98,7 +98,7 @@ QString number_text(double value, const QLocale& locale) {
 }
 
 QString quantity_text(const Quantity& quantity, const QLocale& locale) {
-    // With a space that can be typed.
+    // A plain space, since a narrow one cannot be typed.
     return number_text(quantity.value, locale) +
            to_qt(unit_after_number(quantity.unit)).replace(QChar(QChar::Nbsp), QChar(' '));
 }

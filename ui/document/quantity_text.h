@@ -11,10 +11,10 @@
 
 namespace covaria::ui {
 
-/// "6.1×10⁻⁵" with its power of ten as programs write it: "6.1e-5"; other texts as they are.
+/// "6.1×10⁻⁵" becomes "6.1e-5", the power of ten as programs write it; other texts stay.
 QString with_plain_exponent(QString text);
 
-/// "1.000 25 V" as "1.00025 V": the number at its begin without the spaces between its groups of digits.
+/// "1.000 25 V" becomes "1.00025 V": the number at its begin loses the spaces between groups of digits.
 QString without_groups(const QString& text);
 
 /// A number in the locale's writing, or with a decimal point, powers of ten in either form; no digit
@@ -35,7 +35,7 @@ QString quantity_text(const Quantity& quantity, const QLocale& locale);
 
 /// The number in another unit of the same dimension, cleaned of the last digit's conversion noise.
 double converted(double value, const Unit& from, const Unit& to);
-/// Likewise a difference or an uncertainty: without the zero of degC.
+/// A difference or an uncertainty in another unit, without the zero of degC, cleaned likewise.
 double converted_interval(double value, const Unit& from, const Unit& to);
 
 }  // namespace covaria::ui

@@ -65,7 +65,7 @@ Result<void> RecoveryStore::write(const QString& recovery_file, const Project& p
 }
 
 void RecoveryStore::remove_leftovers() const {
-    covaria::remove_leftovers(to_path(folder_));  // of atomic writes
+    covaria::remove_leftovers(to_path(folder_));  // half-written files of atomic writes
     const QString lock_ending = lock_of(QString::fromLatin1(ending));
     const QDir folder(folder_);
     for (const QFileInfo& info : folder.entryInfoList(QDir::Files | QDir::Hidden)) {

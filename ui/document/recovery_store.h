@@ -25,7 +25,7 @@ public:
     const QString& folder() const { return folder_; }
     /// Name for the recovery file of a window that starts now.
     QString new_name() const;
-    /// Whoever holds this lock file is alive: the entry is not offered to others.
+    /// The lock file that a living window holds: its entry is not offered to others.
     static QString lock_of(const QString& recovery_file) { return recovery_file + ".lock"; }
 
     /// Safe to call from a worker thread.
@@ -35,7 +35,7 @@ public:
     /// Removes what a kill leaves beside the entries: half-written files, locks and unreadable entries of
     /// windows that are gone.
     void remove_leftovers() const;
-    /// What windows that are gone left behind, newest first.
+    /// Entries that windows which are gone left behind, newest first.
     std::vector<RecoveryEntry> abandoned() const;
     static LoadedProject load(const RecoveryEntry& entry);
     static void remove(const QString& recovery_file);

@@ -1,4 +1,4 @@
-// What the window is looking at: one entry of the project, and within an analysis a group, an output, a
+// The focus of the window: one entry of the project, and within an analysis a group, an output, a
 // set-up field.
 #pragma once
 
@@ -23,7 +23,7 @@ public:
     const QString& group() const { return group_; }
     int output() const { return output_; }             ///< index into the result's outputs; -1 = none
     const QString& study() const { return study_; }    ///< id of a study of the analysis
-    const QString& design() const { return design_; }  ///< likewise of a design
+    const QString& design() const { return design_; }  ///< id of a design of the analysis
     const QString& field() const { return field_; }    ///< JSON pointer within the entry's set-up
 
     void select_entry(const SetupAddress& entry);
@@ -33,7 +33,7 @@ public:
     void select_study(const QString& study);
     void select_design(const QString& design);
     void clear();
-    /// An analysis that the project no longer has: its results and scene would stand for ever.
+    /// Leaves an analysis that the project no longer has: its results and scene would stand for ever.
     void leave_what_is_gone(const Project& project);
 
 signals:

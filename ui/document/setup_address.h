@@ -1,4 +1,4 @@
-// Which set-up of the project a form or table edits, and where that is in the file.
+// The address of a set-up that a form or table edits, and its place in the file.
 #pragma once
 
 #include <QString>
@@ -13,16 +13,16 @@ namespace covaria::ui {
 /// `project`: what is said of the project itself; its id is empty and it has no set-up.
 enum class SetupOwner { asset, analysis, project };
 
-/// By id, so that it stays right when entries are added, removed or reordered.
+/// Names the set-up by id, so that it stays right when entries are added, removed or reordered.
 struct SetupAddress {
     SetupOwner owner = SetupOwner::analysis;
     std::string id = {};
     bool operator==(const SetupAddress&) const = default;
 };
 
-/// Where title, notes, certificate and report of the project are.
+/// Address of the title, notes, certificate and report of the project.
 inline const SetupAddress project_address{SetupOwner::project, {}};
-/// The entry is there; so is the project, always.
+/// Whether the entry is there; the project always is.
 bool exists(const Project& project, const SetupAddress& address);
 
 /// Null when the entry is gone.
@@ -44,7 +44,7 @@ SetupAddress address_of_path(const Project& project, const std::string& path);
 AssetEntry* find_asset_entry(Project& project, const std::string& id);
 AnalysisEntry* find_analysis_entry(Project& project, const std::string& id);
 
-/// Where the help of the entry, or of a field of its set-up, is on the pages of help; empty when the entry is
+/// Place of the entry, or of a field of its set-up, on the pages of help; empty when the entry is
 /// gone.
 QString help_anchor(const Project& project, const SetupAddress& address, const std::string& field = {},
                     const std::string& column = {});

@@ -11,7 +11,7 @@ namespace covaria::ui {
 /// Titles of a column's choices as people read them: translated, but for the names of a project's assets.
 QStringList choice_words(const ColumnSpec& column);
 
-/// As shown: choices by title, numbers in the locale's writing without their unit.
+/// Text that a cell shows: choices by title, numbers in the locale's writing without their unit.
 QString cell_text(const ColumnSpec& column, const SetupCell& cell, const QLocale& locale);
 
 /// Reads what was typed or pasted. A number may carry a unit and is converted to `unit`, the column's.
@@ -19,7 +19,7 @@ QString cell_text(const ColumnSpec& column, const SetupCell& cell, const QLocale
 Result<SetupCell> parse_cell(const ColumnSpec& column, const Unit& unit, const QString& text,
                              const QLocale& locale);
 
-/// What stands in a row's cell under `key`; null: nothing, or something else than a `T`.
+/// The value of a row's cell under `key`; null: it has none, or something else than a `T`.
 template <class T>
 const T* cell_in(const FieldSpec& table, const std::vector<SetupCell>& row, const std::string& key) {
     const std::size_t column = SetupSchema::column(table, key);

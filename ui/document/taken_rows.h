@@ -1,4 +1,4 @@
-// What a set-up states and a link to another analysis replaces.
+// The rows of a set-up that a link to another analysis replaces.
 #pragma once
 
 #include <map>
@@ -11,7 +11,7 @@ namespace covaria::ui {
 
 /// Rows of the set-up's tables ("/quantities/rows/3") that state one input quantity, or a component of it,
 /// whose value a link of the analysis gives. A row of several quantities (the coordinates of a point) is none
-/// of them: what else the model makes of it is not known here.
+/// of them: nobody here knows what else the model makes of it.
 std::map<std::string, InputLink> taken_rows(const AnalysisEntry& analysis, const MadeAnalysis& made);
 
 }  // namespace covaria::ui

@@ -26,8 +26,8 @@ struct TextPlace {
 struct UnreadText {
     QString text;
     QString reason;
-    std::string instead_of = {};  ///< what the project has there; the text is forgotten when that changes
-    int step = 0;                 ///< of UnreadTexts::begin_step, given by it
+    std::string instead_of = {};  ///< the project's value there; the text is forgotten when that changes
+    int step = 0;                 ///< set by UnreadTexts::begin_step
     bool operator==(const UnreadText& other) const {
         return text == other.text && reason == other.reason && instead_of == other.instead_of;
     }
@@ -39,25 +39,25 @@ public:
     using QObject::QObject;
     using Texts = std::map<TextPlace, UnreadText>;
 
-    /// Null when what stands there was read.
+    /// The text at this place; null when it was read.
     const UnreadText* find(const TextPlace& place) const;
     void set(const TextPlace& place, UnreadText text);
     void remove(const TextPlace& place);
     void clear();
-    /// Those at places of the entry that begin with `part`.
+    /// Texts at places of the entry that begin with `part`.
     Texts under(const SetupAddress& entry, const std::string& part) const;
     void replace_under(const SetupAddress& entry, const std::string& part, Texts texts);
     const Texts& all() const { return texts_; }
 
-    /// What is typed from now on belongs to this step; steps grow.
+    /// Texts typed from now on belong to this step; steps grow.
     void begin_step(int step) { step_ = step; }
     /// Forgets the texts of this step and of later ones; returns whether there were any.
     bool take_back(int step);
     bool has_since(int step) const;
 
-    /// Without those of entries that are gone.
+    /// Number of texts, without those of entries that are gone.
     int count(const Project& project) const;
-    /// As problems of the project; those of entries that are gone are left out.
+    /// The texts as problems of the project; those of entries that are gone are left out.
     Problems problems(const Project& project) const;
     /// The analyses that must not run, by id, with the reason; those whose studies and designs must not.
     struct Held {

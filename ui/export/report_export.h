@@ -19,11 +19,11 @@ enum class ReportFormat { pdf, html, markdown };
 
 struct ReportTarget {
     std::filesystem::path folder;
-    std::string name = "report";  ///< of the files, without ending
+    std::string name = "report";  ///< name of the files, without ending
     std::vector<ReportFormat> formats = {ReportFormat::pdf, ReportFormat::html, ReportFormat::markdown};
     PaperSize paper = PaperSize::a4;
     std::string foot = {};                    ///< at the foot of every PDF page
-    std::vector<AttachedFile> attached = {};  ///< to the PDF
+    std::vector<AttachedFile> attached = {};  ///< attached to the PDF
 };
 
 /// Every file is written whole or not at all. HTML and Markdown bring their figures: charts as SVG, scenes as

@@ -15,7 +15,7 @@
 
 namespace covaria::ui {
 
-/// The one way in which figures of reports are drawn: window, preview and command line. For the thread that
+/// The painters of figures in reports, the same for window, preview and command line. For the thread that
 /// charts belong to.
 FigurePainters report_painters(ScenePictures& scenes);
 
@@ -24,7 +24,7 @@ class ReportMaker : public QObject {
 public:
     explicit ReportMaker(QObject* parent = nullptr);
 
-    /// In the worker: what is to be done with the document; returns what is then called on the window's
+    /// Called in the worker with the document; returns what is then called on the window's
     /// thread. When `stop` is requested charts stay empty: what was made until then must not be used.
     using Use = std::function<JobQueue::Delivery(
         const ReportDocument& document, const FigurePainters& painters, const std::stop_token& stop)>;

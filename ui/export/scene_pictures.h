@@ -14,7 +14,7 @@ namespace covaria::ui {
 /// of them. Usable on any thread.
 class ScenePictures {
 public:
-    /// `source` outlives it.
+    /// `source` must outlive this object.
     explicit ScenePictures(const ReportSource& source);
     ~ScenePictures();
 

@@ -14,7 +14,7 @@
 namespace covaria::ui {
 namespace {
 
-/// Who types there means the statement, which is where it is edited.
+/// Whether the cell follows from the statement: typing there means the statement, which is edited then.
 bool follows_from_statement(const QModelIndex& cell) {
     using Sheet = BudgetSheetModel;
     const bool follows = cell.column() == Sheet::distribution || cell.column() == Sheet::type;
@@ -34,7 +34,7 @@ BudgetSheetView::BudgetSheetView(SpreadsheetModel& model, QWidget* parent)
     frozen_->setSelectionModel(selectionModel());
     frozen_->setItemDelegate(new CellDelegate(frozen_));
     frozen_->setEditTriggers(NoEditTriggers);
-    frozen_->setFocusPolicy(Qt::ClickFocus);  // by Tab it would lead back here; before it has a proxy
+    frozen_->setFocusPolicy(Qt::ClickFocus);  // Tab would lead back here; set before it has a proxy
     frozen_->setFocusProxy(this);
     frozen_->verticalHeader()->hide();
     make_quiet(*frozen_);
@@ -68,7 +68,7 @@ BudgetSheetView::BudgetSheetView(SpreadsheetModel& model, QWidget* parent)
     place_frozen();
 }
 
-/// Only where the column itself is out of view: it is edited in its own place.
+/// Shows the frozen column only while the column itself is out of view: that is edited in its own place.
 void BudgetSheetView::place_frozen() {
     const bool scrolled = horizontalScrollBar()->value() > 0;
     frozen_->setVisible(scrolled);
@@ -97,7 +97,7 @@ void BudgetSheetView::give_way_in_turn() {
     setColumnHidden(source, others + wanted > viewport()->width());
 }
 
-/// Not under the frozen column; what stands in that is in view, wherever the others are.
+/// Keeps the cell clear of the frozen column; cells of that are in view wherever the others are scrolled to.
 void BudgetSheetView::scrollTo(const QModelIndex& index, ScrollHint hint) {
     const int before = horizontalScrollBar()->value();
     SpreadsheetView::scrollTo(index, hint);
@@ -117,12 +117,12 @@ bool BudgetSheetView::edit(const QModelIndex& index, EditTrigger trigger, QEvent
         return edit(statement, trigger, event);
     }
     const bool begins = SpreadsheetView::edit(index, trigger, event);
-    if (begins && index.column() == 0) horizontalScrollBar()->setValue(0);  // where its editor is
+    if (begins && index.column() == 0) horizontalScrollBar()->setValue(0);  // the place of its editor
     if (begins) rows_before_ = model()->rowCount();
     return begins;
 }
 
-/// What was typed into the row for new ones is a row now, above it: there Tab goes on.
+/// Tab goes on from the new row: the text typed into the row for new ones has become a row above it.
 void BudgetSheetView::closeEditor(QWidget* editor, QAbstractItemDelegate::EndEditHint hint) {
     const QModelIndex at = currentIndex();
     const bool goes_on =
@@ -136,7 +136,7 @@ void BudgetSheetView::closeEditor(QWidget* editor, QAbstractItemDelegate::EndEdi
     SpreadsheetView::edit(currentIndex());
 }
 
-/// From the equation Tab comes to the first estimate that is missing.
+/// Tab from the equation comes to the first estimate that is missing.
 void BudgetSheetView::focusInEvent(QFocusEvent* event) {
     const bool nowhere = !currentIndex().isValid() || currentIndex().row() == model()->rowCount() - 1;
     if (event->reason() == Qt::TabFocusReason && nowhere) {

@@ -14,7 +14,7 @@ public:
     QAction* quantity_action() const { return quantity_; }
 
 signals:
-    /// Its page is wanted: by the menu, the key, or a double click on what is computed.
+    /// The page of a quantity is wanted: by the menu, the key, or a double click on a computed cell.
     void quantity_asked(int row);
 
 protected:
@@ -33,7 +33,7 @@ private:
     const SpreadsheetModel& sheet_;
     QTableView* frozen_;  ///< the first column over the others
     QAction* quantity_;
-    int rows_before_ = 0;  ///< what is typed was begun
+    int rows_before_ = 0;  ///< number of rows when the present edit began
 };
 
 }  // namespace covaria::ui

@@ -29,7 +29,7 @@ private:
     bool in_key_press_ = false;
 };
 
-/// Over the cells to its right, as far as there are any: what is typed stays in view.
+/// Widens the line over cells to its right, as far as there are any: typed text stays in view.
 void grow(QLineEdit& line) {
     const int wanted = line.fontMetrics().horizontalAdvance(line.text()) + 2 * line.fontMetrics().height();
     const int room = line.parentWidget()->width() - line.x();

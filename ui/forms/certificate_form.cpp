@@ -248,7 +248,7 @@ bool CertificateForm::focus_field(const std::string& path) {
     return false;
 }
 
-/// After the field with the focus, or from the first on.
+/// Goes to the next missing field after the one with the focus, or to the first.
 void CertificateForm::focus_next_missing() {
     const auto has_focus = [](const Row& row) {
         return row.editor->isAncestorOf(QApplication::focusWidget());

@@ -40,7 +40,7 @@ private:
     void count_stated();
     void write(const CertificateField& field, const std::string& text);
     void refresh();
-    void refresh_state();  ///< what is missing, also of what only the made project knows
+    void refresh_state();  ///< counts the missing fields, those that only the made project knows included
     void refresh_problems();
 
     Document& document_;

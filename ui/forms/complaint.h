@@ -10,10 +10,10 @@ namespace covaria::ui {
 /// An empty complaint removes the mark; `help` is the tooltip of a field that is right.
 void mark(QWidget& widget, const QString& complaint, const QString& help);
 /// A label for messages that come and go: its room of `lines` is always there, so that nothing below jumps;
-/// what does not fit ends with "…", and is in the tooltip.
+/// a text that does not fit ends with "…", and is in the tooltip.
 void keep_room(QLabel& label, int lines);
 void show_note(QLabel& label, const QString& text);
-/// As much of the text as the label has lines for; it ends with "…" where that is before its end.
+/// The part of the text that the label has lines for; it ends with "…" where it was cut.
 QString what_fits(const QLabel& label, const QString& text);
 /// The complaint shown; empty when there is none.
 QString complaint_of(const QWidget& widget);

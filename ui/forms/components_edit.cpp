@@ -103,7 +103,7 @@ void ComponentsEdit::set_quantity(std::shared_ptr<const PreparedAnalysis> analys
     refresh();
 }
 
-/// Those that no other quantity has.
+/// Components that no other quantity has.
 std::vector<const UncertaintyComponent*> ComponentsEdit::own_components() const {
     std::vector<const UncertaintyComponent*> found;
     const InputSet& inputs = analysis_->inputs;
@@ -127,7 +127,7 @@ std::vector<ComponentEdit> ComponentsEdit::model_components() const {
     return found;
 }
 
-/// An edit of the components does not say so.
+/// Whether the model says that Monte Carlo draws the component normally; edited components cannot say so.
 bool ComponentsEdit::draws_normal(int row) const {
     if (find_input_edit(document_.project(), analysis_->id, symbol_).components) return false;
     const auto own = own_components();
@@ -260,7 +260,7 @@ void ComponentsEdit::show_component() {
     const auto show_text = [](QLineEdit& edit, const QString& text) {
         if (edit.text() == text) return;
         edit.setText(text);
-        edit.setCursorPosition(0);  // of a long one the beginning is seen
+        edit.setCursorPosition(0);  // the beginning of a long one is in view
     };
     show_text(*name_, to_qt(shown.name));
     show_text(*origin_, to_qt(shown.origin));

@@ -26,7 +26,7 @@ public:
 
     void add_component();
     void remove_component();
-    /// Back to what the model says.
+    /// Gives the quantity back the components of the model.
     void reset();
 
 private:
@@ -41,7 +41,7 @@ private:
     std::string components_part() const;
     void forget_unread();
     void show_component();
-    /// What the list does not have, and why; empty: it has all.
+    /// Reason why the list lacks components, or has none; empty: it has all.
     QString note() const;
     QString shared_names(std::size_t quantity) const;
 

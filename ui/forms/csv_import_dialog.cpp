@@ -78,7 +78,7 @@ void CsvImportDialog::make_columns_table() {
     columns_->setMaximumHeight(170);
 }
 
-/// One line for each header, which may stand for any column of the table; anew only for other headers.
+/// Lists the headers, a line each, with the columns they may stand for; anew only for other headers.
 void CsvImportDialog::offer_columns(const std::vector<std::string>& headers) {
     columns_->setVisible(!headers.empty());
     if (headers == headers_) return;

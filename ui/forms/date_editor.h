@@ -9,7 +9,7 @@
 
 namespace covaria::ui {
 
-/// "2026-04-17", "17.4.2026", "20260417".
+/// Reads "2026-04-17", "17.4.2026", "20260417".
 std::optional<QDate> read_date(const QString& text);
 
 /// A value is an ISO 8601 date, or two of them with '/' between them. What cannot be read stays in the field
@@ -36,8 +36,8 @@ private:
     UnreadTexts& unread_;
     TextPlace place_;
     QLineEdit* first_ = nullptr;
-    QLineEdit* last_ = nullptr;  ///< of an interval
-    QString value_;              ///< what the project has
+    QLineEdit* last_ = nullptr;  ///< the end of an interval
+    QString value_;              ///< the project's value
     QString reason_;             ///< why what is typed cannot be read
     QString complaint_, help_;
 };

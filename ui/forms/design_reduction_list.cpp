@@ -23,7 +23,7 @@ DesignReductionList::DesignReductionList(Choices choices, QWidget* parent)
     connect(add, &QPushButton::clicked, this, &DesignReductionList::add_reduction);
 }
 
-/// The first that uncertainties are proportional to and that is not reduced yet.
+/// Adds the first number that uncertainties are proportional to and that is not reduced yet.
 void DesignReductionList::add_reduction() {
     emit edited(
         [choices = choices_()](std::vector<DesignReduction>& reductions) {

@@ -315,7 +315,7 @@ TextPlace DesignsForm::place(const std::string& part) const {
 }
 
 void DesignsForm::refresh() {
-    // Only of the analysis being looked at, as with studies.
+    // A design is chosen only for the analysis being looked at, as with studies.
     const bool looked_at = selection_.analysis() == to_qt(analysis_);
     if (entry() && looked_at && !entry()->designs.empty() && !design())
         selection_.select_design(to_qt(entry()->designs.front().id));

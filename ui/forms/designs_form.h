@@ -26,7 +26,7 @@ class DesignsForm : public QWidget {
 public:
     DesignsForm(Document& document, AnalysisRunner& runner, Selection& selection, std::string analysis,
                 QWidget* parent = nullptr);
-    /// "/analyses/0/designs/1/choose/keep". False: not of a design.
+    /// `path`: "/analyses/0/designs/1/choose/keep". False: it is not of a design.
     bool focus_field(const std::string& path);
 
 private:

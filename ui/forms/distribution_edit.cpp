@@ -20,7 +20,7 @@ namespace covaria::ui {
 
 namespace {
 
-/// Of the values or edges, and of the probabilities.
+/// Key of a list of parameters: of the values or edges (part 0), or of the probabilities.
 std::string list_key(const std::string& distribution, std::size_t part) {
     const DistributionKindInfo* kind = find_distribution_kind(distribution);
     return part == 0 && kind ? std::string(kind->list) : "probabilities";
@@ -51,7 +51,7 @@ bool is_plain(const Distribution& distribution) {
            std::abs(again->mean() - distribution.mean()) <= 1e-9 * distribution.standard_uncertainty();
 }
 
-/// Of the same kind with the wanted u, and with the wanted mean where the kind allows.
+/// A distribution of the same kind with the wanted u, and with the wanted mean where the kind allows it.
 Distribution fitted(const Distribution& distribution, double mean, double u) {
     const double own = distribution.standard_uncertainty();
     if (!(u > 0.0) || !std::isfinite(own) || !(own > 0.0)) return distribution;

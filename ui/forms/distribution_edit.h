@@ -19,9 +19,9 @@ class DistributionEdit : public QWidget {
     Q_OBJECT
 public:
     explicit DistributionEdit(QWidget* parent = nullptr);
-    /// Where in the project the component stands.
+    /// Sets the place of the component in the project.
     void set_place(UnreadTexts& unread, const TextPlace& place);
-    /// `normal_draws`: of the component (core/quantity).
+    /// `normal_draws`: whether Monte Carlo draws the component normally (core/quantity).
     void set_component(const ComponentEdit& component, bool normal_draws = false);
     const ComponentEdit& component() const { return component_; }
     /// Standard uncertainty in words ("u = 0.58 µm"), and what Monte Carlo draws where that is another

@@ -19,9 +19,9 @@ public:
     virtual void set_value(const SetupValue& value) = 0;
     /// Problems of the field, in words; empty: none.
     virtual void set_complaint(const QString& complaint) = 0;
-    /// What an empty field says.
+    /// Sets the text that an empty field shows.
     virtual void set_hint(const QString&) {}
-    /// Where in the field problems are: JSON pointers relative to it ("/2/14-16").
+    /// Sets the places of problems within the field: JSON pointers relative to it ("/2/14-16").
     virtual void set_problem_places(const std::vector<std::string>&) {}
     /// Gives the focus to the field, or the part of it a JSON pointer relative to the field names.
     virtual void focus_part(const std::string& path);
@@ -35,7 +35,7 @@ signals:
     void part_selected(const QString& part);
 };
 
-/// Where the field lives.
+/// The document, entry and schema that a field belongs to.
 struct FieldContext {
     Document& document;
     SetupAddress address;

@@ -15,7 +15,7 @@ public:
     void set_value(const SetupValue& value) override;
     void set_complaint(const QString& complaint) override;
     void set_hint(const QString& hint) override { edit_->setPlaceholderText(hint); }
-    /// As if it were chosen in the dialog.
+    /// Takes the file over as if it were chosen in the dialog.
     void choose(const QString& file);
 
 private:

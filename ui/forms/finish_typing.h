@@ -1,4 +1,4 @@
-// What is typed in a field or cell counts without Enter, too.
+// Text typed in a field or cell counts without Enter, too.
 #pragma once
 
 namespace covaria::ui {

@@ -58,7 +58,7 @@ QSize FlowLayout::minimumSize() const {
     return least;
 }
 
-/// All in one line.
+/// The size of all items in one line.
 QSize FlowLayout::sizeHint() const {
     QSize all;
     for (const QLayoutItem* item : items_) {

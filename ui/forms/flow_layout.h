@@ -6,7 +6,7 @@
 
 namespace covaria::ui {
 
-/// From the left, each as large as it likes to be; its least width is that of the widest.
+/// Sets items from the left, each as large as it likes to be; its least width is that of the widest.
 class FlowLayout : public QLayout {
 public:
     using QLayout::QLayout;

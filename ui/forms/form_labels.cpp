@@ -95,7 +95,7 @@ void may_be_narrow(QComboBox& box) {
     box.setMinimumContentsLength(narrowest_list);
     box.setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     const auto widen = [&box] { box.view()->setMinimumWidth(box.view()->sizeHintForColumn(0) + 8); };
-    // Once for all that are added together: each time all are measured.
+    // The timer measures once for all entries that are added together: each time all are measured.
     auto* when_added = new QTimer(&box);
     when_added->setSingleShot(true);
     QObject::connect(when_added, &QTimer::timeout, &box, widen);

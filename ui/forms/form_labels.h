@@ -11,27 +11,31 @@ namespace covaria::ui {
 
 /// A title that is a symbol is set as one; a long one is broken into lines.
 QLabel* make_form_label(const std::string& title, QWidget* parent);
-/// As wide as all labels of the inspector, but for a word that is wider; what is longer takes a second line.
+/// Gives it the width of all labels of the inspector, or of a wider word; a longer text takes a second line.
 void wrap_label(QLabel& label);
-/// All labels beside fields on the page.
+/// Wraps all labels beside fields on the page.
 void wrap_labels(const QWidget& page);
 
+<<<<<<< HEAD
 /// A list or a line that shows more than has room beside its label stands below it.
 void put_long_fields_below(const QWidget& page);
 
 /// First letter as at the beginning of a sentence: for words that come in lower case.
+=======
+/// The words with a first letter as at the beginning of a sentence; they come in lower case.
+>>>>>>> 929bb6b691e0249f9bcc5f6591448a914851e939
 QString as_label(const QString& words);
 
 /// A list in a form is as narrow as the form must be; opened it shows its entries whole.
 void may_be_narrow(QComboBox& box);
-/// In a bar it is as wide as its entries where there is room, and else narrower than in a form.
+/// A list in a bar is as wide as its entries where there is room, and else narrower than in a form.
 void narrow_if_need_be(QComboBox& box);
 
-/// Room for so many letters at least: a form that has less puts the field under its label.
+/// Keeps room for so many letters at least: a form that has less puts the field under its label.
 void keep_letters(QLineEdit& edit, int letters = 12);
-/// Likewise, and for all that it says: of a number that is cut off nobody sees the sign, or the size.
+/// Keeps room for so many letters, and for the whole text: cut off, a number hides its sign or its size.
 void keep_whole_text(QLineEdit& edit, int letters);
-/// Wide enough for what it says while it is empty.
+/// Keeps room for the text that it shows while it is empty.
 void keep_placeholder(QLineEdit& edit);
 
 /// Gives all labels of the form the same least width, so that forms under each other line up.

@@ -1,4 +1,4 @@
-// What F1 shows: a widget says where its help is, a cell of a table by its model.
+// The page that F1 opens: a widget has its place in the help, a cell of a table has it from its model.
 #pragma once
 
 #include <QString>
@@ -7,9 +7,9 @@ class QWidget;
 
 namespace covaria::ui {
 
-/// For the widget and all in it that say nothing else.
+/// Sets the place in the help for the widget, and for all in it that have none of their own.
 void set_help_place(QWidget& widget, const QString& anchor);
-/// Of the widget with the focus: its cell's, its own, else that of the nearest around it; empty: none says.
+/// Place in the help for the focus: its cell's, its own, else that of the nearest widget around; empty: none.
 QString help_place(const QWidget* focus);
 
 }  // namespace covaria::ui

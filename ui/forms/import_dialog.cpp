@@ -25,16 +25,16 @@ namespace covaria::ui {
 
 namespace {
 
-constexpr int left_out_role = Qt::UserRole, row_role = Qt::UserRole + 1;  // of the head of a row
+constexpr int left_out_role = Qt::UserRole, row_role = Qt::UserRole + 1;  // stored with the head of a row
 const QColor complaint_color(213, 94, 0, 60);
 
-/// With its place, as the command line prints it.
+/// Message with the line of the error, as the command line prints it.
 QString words_of(const Error& error) {
     const QString message = to_qt(error.message);
     return error.line > 0 ? ImportDialog::tr("Line %1: %2").arg(error.line).arg(message) : message;
 }
 
-/// What the project would complain about; empty if it may be evaluated.
+/// First error of a project made of the proposals; empty if it may be evaluated.
 QString contradictions(const Proposals& proposals) {
     Project project;
     add_to_project(project, proposals);
@@ -140,7 +140,7 @@ void ImportDialog::make_layout() {
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
 }
 
-/// Those that recognise the file first; none is chosen where several do.
+/// Lists readers that recognise the file first; none is chosen where several do.
 void ImportDialog::offer_readers() {
     const RecognisedReaders found = recognise_reader(text_, to_std(QFileInfo(file_).fileName()));
     readers_->addItem(found.readers.empty() ? tr("no reader recognises it: choose one")
@@ -181,7 +181,7 @@ ReadChoice ImportDialog::choice() const {
     return choice;
 }
 
-/// What was typed over in the table, and the rows whose mark was taken away.
+/// Takes the cells that were typed over in the table, and the rows that were left out.
 void ImportDialog::take_mended_cells(ReadChoice& choice) const {
     for (std::size_t row = 0; row < shown_.row_numbers.size(); ++row) {
         const int number = shown_.row_numbers[row], in_table = static_cast<int>(row) + 1;
@@ -203,7 +203,7 @@ void ImportDialog::clear_marks() {
             if (QTableWidgetItem* item = table_->item(row, column)) item->setBackground(QBrush());
 }
 
-/// The row that could not be read, in sight.
+/// Marks the row that could not be read, and brings it into sight.
 void ImportDialog::mark_line(int line) {
     const auto found = std::find(shown_.row_numbers.begin(), shown_.row_numbers.end(), line);
     if (found == shown_.row_numbers.end()) return;

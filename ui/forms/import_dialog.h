@@ -1,5 +1,5 @@
-// A file of others before it enters the project: which reader, what its columns are, what becomes of it, and
-// what is not taken over. One dialog for all readers.
+// A file of others before it enters the project: its reader, the meaning of its columns, what becomes of it,
+// and the parts that are left out. One dialog for all readers.
 #pragma once
 
 #include <QCheckBox>
@@ -21,7 +21,7 @@ class ImportDialog : public QDialog {
 public:
     explicit ImportDialog(const QString& file, QWidget* parent = nullptr);
 
-    /// What is taken over; with the stamp of the file in the notes, if that is wanted.
+    /// The entries to take over, with the stamp of the file in their notes if that is wanted.
     Proposals proposals() const;
 
 private:
@@ -42,14 +42,14 @@ private:
 
     QString file_, failure_, hash_;
     qint64 bytes_ = 0;
-    std::string text_;            ///< as readers take it
+    std::string text_;            ///< the file's text, as readers take it
     bool reader_chosen_ = false;  ///< not only recognised
     bool table_chosen_ = false;   ///< people said what a column is
-    SourceTable shown_;           ///< as the file has it
+    SourceTable shown_;           ///< the table as the file has it
     std::optional<Proposals> proposals_;
     QComboBox *readers_, *sheets_, *unit_;
     QLabel *sheets_label_, *table_label_, *summary_;
-    QTableWidget* units_;  ///< what the file states no unit for, and the unit that is typed
+    QTableWidget* units_;  ///< the quantities for which the file states no unit, and the unit that is typed
     QLabel* units_label_;
     QTableWidget* table_;  ///< row 0: what each column is read as
     QPushButton* leave_out_;

@@ -1,4 +1,4 @@
-// Which study or design of an analysis: a list of them, what can be done with the list.
+// The choice of a study or design of an analysis: a list of them, and buttons to add, copy, remove and run.
 #pragma once
 
 #include <QComboBox>
@@ -16,8 +16,8 @@ class InquiryHead : public QWidget {
     Q_OBJECT
 public:
     struct Words {
-        QString object;                       ///< of the buttons' names: "study" ("add_study")
-        QString list;                         ///< of the list's name: "studies"
+        QString object;                       ///< for the buttons' names: "study" ("add_study")
+        QString list;                         ///< for the list's name: "studies"
         QString title;                        ///< "Study"
         QString add, duplicate, remove, run;  ///< tooltips
         QString hint;                         ///< while there is none

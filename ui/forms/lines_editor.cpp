@@ -36,7 +36,7 @@ QTextCursor cursor_at(QTextDocument* document, const LinePart& part) {
     const QTextBlock block = document->findBlockByNumber(part.line);
     QTextCursor cursor(block.isValid() ? block : document->lastBlock());
     const int length = std::max(0, cursor.block().length() - 1);
-    // What is missing behind the last character is shown by the last character.
+    // The last character is marked for a problem behind it.
     const int first = std::clamp(part.first - 1, 0, std::max(0, length - 1));
     cursor.movePosition(QTextCursor::Right, QTextCursor::MoveAnchor, first);
     cursor.movePosition(QTextCursor::Right, QTextCursor::KeepAnchor,
@@ -78,7 +78,7 @@ LinesEditor::LinesEditor(const FieldSpec& field, const FieldContext& context, QW
         adapt_height();
         const QString text = edit_->toPlainText();
         typed_ = true;
-        // Where nothing were said the default would come back.
+        // A field with a default keeps an empty text: no value would bring the default back.
         emit edited(text.isEmpty() && default_.isEmpty() ? SetupValue() : SetupValue(to_std(text)));
     });
     connect(complete_, &QPushButton::clicked, this, &LinesEditor::complete);
@@ -128,7 +128,7 @@ void LinesEditor::focus_part(const std::string& path) {
 }
 
 bool LinesEditor::eventFilter(QObject* watched, QEvent* event) {
-    if (watched == edit_ && event->type() == QEvent::Resize) adapt_height();  // its lines are broken anew
+    if (watched == edit_ && event->type() == QEvent::Resize) adapt_height();  // lines are broken anew
     if (watched == edit_ && event->type() == QEvent::FocusOut && typed_) {
         const Qt::FocusReason reason = static_cast<QFocusEvent*>(event)->reason();
         typed_ = reason == Qt::PopupFocusReason || reason == Qt::ActiveWindowFocusReason;

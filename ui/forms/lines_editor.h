@@ -23,7 +23,7 @@ public:
     QPushButton* completion_button() const { return complete_; }
 
 protected:
-    /// What is typed has rows for its names as soon as the editor is left.
+    /// Adds rows for the names that were typed as soon as the editor is left.
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:

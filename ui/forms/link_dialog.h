@@ -1,4 +1,4 @@
-// Which result of another analysis an input quantity takes its value from.
+// The choice of a result of another analysis that an input quantity takes its value from.
 #pragma once
 
 #include <QDialog>
@@ -17,7 +17,7 @@ namespace covaria::ui {
 struct LinkChoice {
     std::string analysis, name;
     std::vector<OutputReference> outputs;
-    std::vector<Name> groups = {};  ///< of the outputs, for people; empty: as they are referred to
+    std::vector<Name> groups = {};  ///< the outputs' groups, for people; empty: as they are referred to
 };
 
 class LinkDialog : public QDialog {
@@ -26,7 +26,7 @@ public:
     LinkDialog(const std::string& symbol, std::vector<LinkChoice> choices,
                const std::optional<InputLink>& now, QWidget* parent = nullptr);
 
-    /// What is chosen; empty where nothing can be.
+    /// The link chosen; empty where nothing can be.
     std::optional<InputLink> link() const;
     QComboBox& analyses() { return *analyses_; }
     QComboBox& outputs() { return *outputs_; }

@@ -17,9 +17,9 @@ class OptionsForm : public QWidget {
     Q_OBJECT
 public:
     OptionsForm(Document& document, std::string analysis, QWidget* parent = nullptr);
-    /// "/analyses/0/options/trials", or relative: "/trials".
+    /// `path`: "/analyses/0/options/trials", or relative: "/trials".
     bool focus_field(const std::string& path);
-    /// How many trials the adaptive procedure needs, in words; empty: not known.
+    /// Sets how many trials the adaptive procedure needs, in words; empty: not known.
     void set_forecast(const QString& words);
 
 private:

@@ -11,7 +11,7 @@
 namespace covaria::ui {
 namespace {
 
-constexpr int letters = 10;  // of two fields beside each other, at least
+constexpr int letters = 10;  // least width of each of two fields beside each other
 
 void name(QLabel& label, const QString& symbol, const FieldSpec& field) {
     label.setText(symbol);
@@ -23,7 +23,7 @@ void name(QLabel& label, const QString& symbol, const FieldSpec& field) {
 PoseEditor::PoseEditor(const FieldSpec& field, const FieldContext& context, QWidget* parent)
     : FieldEditor(parent), field_(field), context_(context) {
     const std::array<QString, 3> axes{"x", "y", "z"};
-    auto* flow = new FlowLayout(this);  // where six numbers are too wide, the angles are below
+    auto* flow = new FlowLayout(this);  // puts the angles below where six numbers are too wide
     flow->setContentsMargins(0, 0, 0, 0);
     std::array<QGridLayout*, 2> columns{};
     for (QGridLayout*& column : columns) {

@@ -7,7 +7,7 @@
 
 namespace covaria::ui {
 
-/// As high as its text needs, within bounds.
+/// A field for several lines, as high as its text needs, within bounds.
 class ProseEditor : public FieldEditor {
     Q_OBJECT
 public:

@@ -81,7 +81,7 @@ void QuantityEdit::set_place(UnreadTexts& unread, const TextPlace& place) {
     setModified(false);
 }
 
-/// What was typed here earlier, if it cannot be read and the project still has what it had then.
+/// Shows the text that could not be read here, if there is one and the project's value is still the same.
 bool QuantityEdit::show_unread(const std::optional<Quantity>& quantity) {
     const UnreadText* kept = unread_ ? unread_->find(place_) : nullptr;
     if (!kept || kept->instead_of != written(quantity)) return false;
@@ -129,7 +129,7 @@ void QuantityEdit::show_quantity() {
                       to_qt(grouped_digits(format_typed(quantity_->value), number_locale(locale()))));
     if (hasFocus()) shown.replace(QChar(0x2212), QLatin1Char('-'));
     setText(shown);
-    if (!hasFocus()) setCursorPosition(0);  // where there is no room for all of it, the sign is in sight
+    if (!hasFocus()) setCursorPosition(0);  // keeps the sign in sight where there is no room for all of it
     setModified(false);
 }
 
@@ -170,7 +170,7 @@ void QuantityEdit::step(int direction) {
     emit quantity_edited(quantity_);
 }
 
-/// Which keys are the field's own: Escape while something is typed, and undo only then, else they are the
+/// Keeps the field's own keys: Escape and undo while something is typed; otherwise they are the
 /// window's.
 bool QuantityEdit::event(QEvent* event) {
     if (event->type() == QEvent::ShortcutOverride) {

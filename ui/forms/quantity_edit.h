@@ -10,7 +10,7 @@
 
 namespace covaria::ui {
 
-/// What cannot be understood stays in the line, marked, with the reason as tooltip.
+/// A line for a quantity. A text that cannot be read stays in it, marked, with the reason as tooltip.
 class QuantityEdit : public QLineEdit {
     Q_OBJECT
 public:
@@ -27,14 +27,14 @@ public:
     /// Off: the line must not be left empty.
     void set_optional(bool optional) { optional_ = optional; }
     void set_help(const QString& help);
-    /// From outside (a problem of the project); an own complaint about what is typed comes first.
+    /// Shows a problem of the project; an own complaint about the text that is typed comes first.
     void set_complaint(const QString& complaint);
 
-    /// Where in the project it stands: a text that cannot be read is kept in the document under this place,
+    /// Sets its place in the project: a text that cannot be read is kept in the document under this place,
     /// and shown again when the line comes back to it.
     void set_place(UnreadTexts& unread, const TextPlace& place);
 
-    /// Does not disturb what is being typed unless the value is another.
+    /// Shows the quantity; a text being typed stays unless the value is another.
     void set_quantity(const std::optional<Quantity>& quantity);
     const std::optional<Quantity>& quantity() const { return quantity_; }
     bool is_valid() const { return own_complaint_.isEmpty(); }

@@ -1,4 +1,4 @@
-// What people write about one input quantity.
+// The notes that people write about one input quantity.
 #pragma once
 
 #include <QPlainTextEdit>
@@ -12,7 +12,7 @@ class QuantityNotesEdit : public QPlainTextEdit {
     Q_OBJECT
 public:
     QuantityNotesEdit(Document& document, std::string analysis, QWidget* parent = nullptr);
-    /// Empty: of none.
+    /// Empty: no quantity.
     void set_quantity(const std::string& symbol);
 
 private:

@@ -69,7 +69,7 @@ QCheckBox* ReportForm::make_box(Keys keys, const std::string& key, const QString
     return box;
 }
 
-/// One for each of now, under its name of now.
+/// Makes a box for each present analysis, under its present name.
 void ReportForm::rebuild_analyses() {
     for (const Box& old : analyses_) delete old.box;
     analyses_.clear();

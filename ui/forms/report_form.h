@@ -1,4 +1,4 @@
-// What goes into the report: analyses, chapters, long tables.
+// Contents of the report: analyses, chapters, long tables.
 #pragma once
 
 #include <QCheckBox>
@@ -12,7 +12,7 @@ class QLabel;
 
 namespace covaria::ui {
 
-/// A box for each, ticked where it goes in; every click is one undo step.
+/// A box for each part, ticked where it goes in; every click is one undo step.
 class ReportForm : public QWidget {
     Q_OBJECT
 public:

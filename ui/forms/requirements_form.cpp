@@ -45,8 +45,8 @@ QString number(const Unit& unit, double si, int digits = 3) {
     return localized(format_significant(unit.interval_from_si(si), digits)) + to_qt(unit_after_number(unit));
 }
 
-/// Both with as many digits as tell them apart; the second one rounded down, so that it suffices as it
-/// stands.
+/// Texts of both, with as many digits as tell them apart; the second is rounded down, so that it suffices
+/// as it stands.
 std::pair<QString, QString> told_apart(const Unit& unit, double now, double needed, int fewest = 3) {
     constexpr int most = 8;
     const double value = unit.interval_from_si(needed);
@@ -347,7 +347,7 @@ void RequirementsForm::refresh_verdict() {
     verdict_->setText(words.join(QStringLiteral("<br>")));
 }
 
-// What it takes to meet the target needs trials: found by a worker, shown when it is there.
+// The reductions that would meet the target. They take trials: a worker finds them, and they are shown then.
 QString RequirementsForm::reductions(const AnalysisStatus& status, const RequirementResult& r) {
     if (r.meets_target) return {};
     const Sought sought{status.result, r.output, *r.target_uncertainty};

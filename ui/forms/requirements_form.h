@@ -27,9 +27,9 @@ public:
     RequirementsForm(Document& document, AnalysisRunner& runner, std::string analysis,
                      QWidget* parent = nullptr);
     ~RequirementsForm() override;
-    /// In which results are shown, and in which a number without a unit is typed.
+    /// Sets the units in which results are shown, and in which a number without a unit is typed.
     void set_units(const DisplayUnits& units);
-    /// "/analyses/0/requirements/1/lowerLimit". False: not of a requirement.
+    /// `path`: "/analyses/0/requirements/1/lowerLimit". False: it is not of a requirement.
     bool focus_field(const std::string& path);
 
     TypesetComboBox* outputs() const { return outputs_; }
@@ -70,11 +70,11 @@ private:
     QFormLayout* layout_;
     TypesetComboBox* outputs_;
     QLabel* verdict_;
-    QComboBox* rules_ = nullptr;  ///< of guard bands
+    QComboBox* rules_ = nullptr;  ///< the kinds of guard bands
     std::vector<Row> rows_;
     std::vector<OutputQuantity> known_;
     Sought sought_;
-    std::optional<ReverseBudget> found_;  ///< for `sought_`
+    std::optional<ReverseBudget> found_;  ///< belongs to `sought_`
     std::stop_source search_;
     JobQueue jobs_;
 };

@@ -27,7 +27,7 @@ void show_row(QFormLayout& form, QWidget& editor, QWidget* head, bool shown) {
     if (head) form.setRowVisible(head, shown);
 }
 
-/// How many a table has; of other fields nothing.
+/// Number of rows of a table; empty for other fields.
 QString rows_of(FieldEditor& editor) {
     auto* table = qobject_cast<TableEditor*>(&editor);
     return table ? QString::number(table->model().rowCount()) : QString();
@@ -71,7 +71,7 @@ SetupForm::SetupForm(Document& document, SetupAddress address, const SetupSchema
 
 void SetupForm::build() {
     std::string section;
-    add_section({});  // of fields that stand before all sections
+    add_section({});  // holds the fields before all sections
     for (const FieldSpec& field : schema_->fields()) {
         if (field.section != section && !field.section.empty()) add_section(core_text(field.section));
         section = field.section;
@@ -165,7 +165,7 @@ void SetupForm::say_what_is_taken() {
     constexpr std::size_t most_named = 3;
     const AnalysisEntry* analysis =
         address_.owner == SetupOwner::analysis ? document_.project().find_analysis(address_.id) : nullptr;
-    std::map<std::string, std::vector<std::string>> inputs;  // by analysis
+    std::map<std::string, std::vector<std::string>> inputs;  // by id of the analysis
     if (analysis)
         for (const InputLink& link : analysis->links) inputs[link.output.analysis].push_back(link.input);
     QStringList words;

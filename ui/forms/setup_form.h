@@ -22,7 +22,7 @@ class SetupForm : public QWidget {
     Q_OBJECT
 public:
     SetupForm(Document& document, SetupAddress address, QWidget* parent = nullptr);
-    /// With a schema that lives longer than the form, instead of the registered one.
+    /// Takes a schema that lives longer than the form, instead of the registered one.
     SetupForm(Document& document, SetupAddress address, const SetupSchema* schema, QWidget* parent = nullptr);
 
     const SetupAddress& address() const { return address_; }
@@ -31,7 +31,7 @@ public:
     /// Gives the focus to the field a JSON pointer names: into the project ("/assets/0/setup/alpha") or
     /// relative to the set-up ("/alpha"). False when it names none of the form.
     bool focus_field(const std::string& path);
-    /// The first field that is shown.
+    /// Gives the focus to the first field that is shown.
     void focus_first();
 
 signals:
@@ -42,10 +42,10 @@ private:
     struct Row {
         const FieldSpec* field;
         FieldEditor* editor;
-        QWidget* head;  ///< of a wide editor: its title; null: it stands beside the editor
+        QWidget* head;  ///< the title of a wide editor; null: it stands beside the editor
         std::size_t section;
     };
-    /// Of the fields that belong together, in a group that folds.
+    /// Fields that belong together: a form in a group that folds.
     struct Section {
         int group;
         QFormLayout* form;
@@ -63,7 +63,7 @@ private:
     SetupAddress address_;
     const SetupSchema* schema_;
     FoldGroups* groups_;
-    QLabel* taken_;  ///< what other analyses give in place of this set-up
+    QLabel* taken_;  ///< names the quantities that other analyses give in place of this set-up
     std::vector<Row> rows_;
     std::vector<Section> sections_;
 };

@@ -21,8 +21,8 @@
 namespace covaria::ui {
 
 namespace {
-constexpr int most_rows_measured = 200;  // of what is pasted or imported
-constexpr int widest_column = 320;       // that a column gets by itself
+constexpr int most_rows_measured = 200;  // limit for pasted or imported rows
+constexpr int widest_column = 320;       // limit of widths that no user has set
 constexpr int far_too_wide = 60;
 constexpr int give_back_after = 300;  // ms without a change
 }  // namespace
@@ -129,7 +129,7 @@ void SpreadsheetView::fit_columns(int first, int last) {
     give_way();
 }
 
-/// Of what was typed or cleared: what is computed would move the columns with every result.
+/// Shrinks columns typed in or cleared; computed ones stay, else columns would move with every result.
 void SpreadsheetView::shrink_columns(const std::set<int>& columns, int too_wide) {
     if (model_.rowCount() > most_rows_measured) return;
     fitting_ = true;
@@ -142,7 +142,7 @@ void SpreadsheetView::shrink_columns(const std::set<int>& columns, int too_wide)
     give_way();
 }
 
-/// What a refused text took that was undone since; numbers of other lengths move no column.
+/// Takes back the width of a refused text that was undone; numbers of other lengths move no column.
 void SpreadsheetView::give_back() {
     if (state() == EditingState) return;
     std::set<int> all;
@@ -150,7 +150,7 @@ void SpreadsheetView::give_back() {
     shrink_columns(all, far_too_wide);
 }
 
-/// Whether a column has words, and no width of the user's; with what it needs, and what tells them apart.
+/// Widths of a column of words that no user has resized: for whole texts, and to tell them apart.
 std::optional<SpreadsheetView::Words> SpreadsheetView::words(int column) const {
     constexpr int told_apart = 110;
     const bool has_numbers =
@@ -228,20 +228,20 @@ void SpreadsheetView::keyPressEvent(QKeyEvent* event) {
         move_down();
 }
 
-/// Not setCurrentIndex: while Ctrl is down, as it is during most shortcuts, that keeps what was selected.
+/// Selects the cell alone. setCurrentIndex would keep the selection while Ctrl is down, as in most shortcuts.
 void SpreadsheetView::go_to(const QModelIndex& cell) {
     selectionModel()->setCurrentIndex(cell, QItemSelectionModel::ClearAndSelect);
     scrollTo(cell);
 }
 
-/// Where the row was begun that Tab went along, as in other spreadsheets.
+/// Goes below, to the column in which Tab began to go along the row, as in other spreadsheets.
 void SpreadsheetView::move_down() {
     const QModelIndex now = currentIndex();
     const QModelIndex below = now.sibling(now.row() + 1, began_ >= 0 ? began_ : now.column());
     if (below.isValid()) go_to(below);
 }
 
-/// Below the last row that has something in it stands a new one.
+/// Appends a row and goes to it, if the current one is the last and has something in it.
 void SpreadsheetView::begin_row_below() {
     const QModelIndex now = currentIndex();
     const auto is_filled = [&](int column) {
@@ -296,7 +296,7 @@ void SpreadsheetView::copy() {
     QGuiApplication::clipboard()->setText(block_text(cells, whole));
 }
 
-/// Up to the last one in which anything stands.
+/// Number of rows up to the last one in which anything stands.
 int SpreadsheetView::filled_rows() const {
     int rows = model_.rowCount();
     const auto is_empty = [this](int row) {

@@ -29,9 +29,9 @@ public:
 
     static constexpr int usual_rows = 12;  ///< longer tables scroll, unless their page has room to spare
     void set_most_rows(int rows);
-    /// With as many of its rows in view, if it has them.
+    /// The height with so many of its rows in view, if it has them.
     int height_with(int rows) const;
-    /// As high as its rows, up to a limit.
+    /// The height of all rows, up to a limit.
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
 
@@ -57,7 +57,7 @@ private:
     void remove_rows();
     void update_actions();
     void fit_columns(int first, int last);
-    /// Those that are wider than they need by more than `too_wide` (px).
+    /// Narrows those that are wider than they need by more than `too_wide` (px).
     void shrink_columns(const std::set<int>& columns, int too_wide = 0);
     void give_back();
     /// Widths of a column of words.

@@ -166,7 +166,7 @@ void StudiesForm::add_axis() {
 
 void StudiesForm::refresh_list() {
     const AnalysisEntry* entry = document_.project().find_analysis(analysis_);
-    // Only of the analysis being looked at: while another one is selected, its study is not this form's to
+    // A study is chosen only for the analysis being looked at: that of another one is not this form's to
     // choose (the tab of results would choose back, for ever).
     const bool looked_at = selection_.analysis() == to_qt(analysis_);
     if (entry && looked_at && !entry->studies.empty() && !study())

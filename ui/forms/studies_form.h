@@ -22,7 +22,7 @@ class StudiesForm : public QWidget {
 public:
     StudiesForm(Document& document, AnalysisRunner& runner, Selection& selection, std::string analysis,
                 QWidget* parent = nullptr);
-    /// "/analyses/0/studies/1/axes/0/target". False: not of a study.
+    /// `path`: "/analyses/0/studies/1/axes/0/target". False: it is not of a study.
     bool focus_field(const std::string& path);
 
 private:

@@ -1,5 +1,5 @@
-// What is varied: an axis of a study (how, from, to, how many values), or a variable of a design (between
-// which values, how well it can be put into effect).
+// Something varied: an axis of a study (how, from, to, how many values), or a variable of a design (between
+// two values, and how well it can be put into effect).
 #pragma once
 
 #include <QComboBox>
@@ -22,15 +22,15 @@ public:
 
     /// `target` is null when it does not exist any more; `only` when it is the only axis.
     void show_axis(const StudyAxis& axis, const StudyTarget* target, bool only);
-    /// Of a variable, in the unit of the axis.
+    /// Shows the tolerance of a variable, in the unit of the axis.
     void show_tolerance(double tolerance);
     void set_complaint(const QString& complaint);
-    /// Where in the project the axis stands.
+    /// Sets the place of the axis in the project.
     void set_place(UnreadTexts& unread, const TextPlace& place);
 
 signals:
     void edited(const std::function<void(covaria::StudyAxis&)>& edit, const QString& field);
-    /// In the unit of the axis.
+    /// `tolerance`: in the unit of the axis.
     void tolerance_edited(double tolerance);
     void remove_wanted();
 

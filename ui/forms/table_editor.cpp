@@ -135,7 +135,7 @@ QToolButton* TableEditor::add_tool(const QString& picture, const QString& text, 
     button->setEnabled(action->isEnabled());
     connect(button, &QToolButton::clicked, this, [this, action] {
         action->trigger();
-        view_->setFocus();  // what comes next is typed
+        view_->setFocus();  // the user types next
     });
     connect(action, &QAction::enabledChanged, button, &QWidget::setEnabled);
     return button;
@@ -152,7 +152,7 @@ void TableEditor::hide_unused_columns() {
         numbered_, [&](const auto& columns) { return std::ranges::any_of(columns, is_used); });
     bool some_hide = false;
     for (const std::vector<int>& columns : numbered_) {
-        bool further = false;  // that is used
+        bool further = false;  // whether a column to the right is used
         for (auto column = columns.rbegin(); column != columns.rend(); ++column) {
             further = further || is_used(*column);
             some_hide = some_hide || (some_are && !further);

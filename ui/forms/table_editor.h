@@ -37,7 +37,7 @@ private:
     QToolButton* add_tool(const QString& picture, const QString& text, QAction* action);
     void follow_focus(const QWidget* focused);
     void choose_unit(int column, const QPoint& position);
-    /// Columns for the seventh joint, say, of a table whose arms have six, unless all are asked for.
+    /// Hides columns for the seventh joint, say, of a table whose arms have six, unless all are asked for.
     void hide_unused_columns();
 
     FieldSpec field_;
@@ -46,7 +46,7 @@ private:
     QWidget* tools_;             ///< keeps its height
     QPointer<QWidget> buttons_;  ///< in it, with the focus
     QLabel* note_;
-    QLabel* origin_;  ///< which file a linked table is read from
+    QLabel* origin_;  ///< names the file that a linked table is read from
     QPushButton* embed_;
     QPushButton* all_columns_;
     std::vector<std::vector<int>> numbered_;  ///< columns q_1, q_2 ... that rows need not have

@@ -15,7 +15,7 @@ class SpreadsheetView;
 class TableRoom : public QObject {
     Q_OBJECT
 public:
-    /// Of an area that has its page; belongs to it.
+    /// `area`: has its page already, and owns this object.
     explicit TableRoom(QScrollArea& area);
     bool eventFilter(QObject* watched, QEvent* event) override;
 

@@ -98,7 +98,7 @@ void TargetBox::showPopup() {
 }
 
 void TargetBox::focusInEvent(QFocusEvent* event) {
-    // Back from its own list or from another window typing goes on.
+    // The list is not filled anew when typing goes on after its own list or another window.
     if (event->reason() != Qt::PopupFocusReason && event->reason() != Qt::ActiveWindowFocusReason) fill();
     QComboBox::focusInEvent(event);
 }

@@ -14,9 +14,9 @@ class TargetBox : public QComboBox {
 public:
     /// `choices` is asked each time the list is opened or searched.
     explicit TargetBox(std::function<std::vector<StudyTargetChoice>()> choices, QWidget* parent = nullptr);
-    /// Where in the project it stands: a text that names nothing is kept in the document under this place.
+    /// Sets its place in the project: a text that names nothing is kept in the document under this place.
     void set_place(UnreadTexts& unread, const TextPlace& place);
-    /// What is chosen now, in words.
+    /// Shows the title of what is varied now.
     void show_title(const QString& title);
     void showPopup() override;
     /// Chooses the entry with this title, as a click on it does. False: there is none.

@@ -18,7 +18,7 @@ public:
     /// Adds its rows to a form. `none`: the entry that chooses no unit.
     UnitChoices(QFormLayout& form, const QString& none, const QString& help, QObject* parent);
 
-    /// Those chosen, and what `set_units` had of other dimensions.
+    /// The chosen units, and those that `set_units` had of other dimensions.
     DisplayUnits units() const;
     void set_units(const DisplayUnits& units);
 
@@ -28,7 +28,7 @@ signals:
 private:
     struct Row {
         QComboBox* box;
-        Unit unit;  ///< of the dimension
+        Unit unit;  ///< stands for its dimension
     };
     std::vector<Row> rows_;
     DisplayUnits others_;

@@ -22,7 +22,7 @@ public:
     }
     void fit() {
         if (!page_) return;
-        constexpr int air = 6;  // that a text has around it
+        constexpr int air = 6;  // the space around a text
         int wanted = std::min(wanted_(), room());
         const int beside = wanted - over_the_edge(wanted);
         if (beside < wanted && wanted - beside <= air) wanted = beside;
@@ -45,7 +45,7 @@ private:
             }
         fit();
     }
-    /// Of frames and layouts, from its own up to the page.
+    /// Sum of the margins of frames and layouts around it, up to the page.
     QMargins margins_around() const {
         QMargins sum;
         for (const QWidget* around = editor_.parentWidget(); around != page_;
@@ -55,7 +55,7 @@ private:
         }
         return sum;
     }
-    /// How far it would reach beyond the page from where it stands.
+    /// Length by which it would reach beyond the page from its present place.
     int over_the_edge(int width) const {
         const int right = page_->width() - margins_around().right();
         return std::max(0, editor_.mapTo(page_.data(), QPoint()).x() + width - right);

@@ -6,10 +6,10 @@ class QLineEdit;
 
 namespace covaria::ui {
 
-/// As wide as the chosen entry, and no wider than the page that the form scrolls in: the form sets it below
-/// its label where both have no room in one line.
+/// Keeps the box as wide as the chosen entry, and no wider than the page that the form scrolls in: the form
+/// sets it below its label where both have no room in one line.
 void keep_whole(QComboBox& box);
-/// Likewise; not while one types.
+/// Keeps the line as wide as its text, but not while one types.
 void keep_whole(QLineEdit& line);
 
 }  // namespace covaria::ui

@@ -70,7 +70,7 @@ void JobQueue::work() {
         std::function<void()> job = std::move(jobs_.front());
         lock.unlock();
         job();
-        job = nullptr;  // what it holds goes before it counts as done
+        job = nullptr;  // frees what it holds before it counts as done
         lock.lock();
         jobs_.pop_front();
         changed_.notify_all();

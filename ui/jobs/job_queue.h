@@ -42,15 +42,15 @@ public:
     JobQueue(const JobQueue&) = delete;
     JobQueue& operator=(const JobQueue&) = delete;
 
-    /// On the owner's thread, when a job has thrown: memory that is not there, a defect of the program.
+    /// Called on the owner's thread when a job has thrown: memory that is not there, a defect of the program.
     using Failure = std::function<void(const Error&)>;
 
-    /// What a job throws ends here, never the program: `failure` is called in place of what it would return;
+    /// Exceptions of a job end here, never the program: `failure` is called in place of what it would return;
     /// it may be empty.
     void push(Job job, Failure failure);
-    /// From inside a job: a message for the owner's thread.
+    /// Called from inside a job: a message for the owner's thread.
     void post(Delivery message);
-    /// Until every job has ended.
+    /// Waits until every job has ended.
     void wait();
 
 private:
@@ -58,7 +58,7 @@ private:
 
     Execution execution_;
     Inbox inbox_;
-    std::mutex mutex_;  ///< of what follows, but the thread
+    std::mutex mutex_;  ///< guards the members below, but the thread
     std::condition_variable changed_;
     std::deque<std::function<void()>> jobs_;  ///< the one that runs is the first
     bool ending_ = false;

@@ -22,9 +22,9 @@ public:
 
     /// `failure`: as JobQueue::push; overtaken like what is delivered.
     void start(Job job, JobQueue::Failure failure);
-    /// Nothing that was started is delivered any more; the job that runs is asked to stop.
+    /// Delivers nothing more of what was started; the job that runs is asked to stop.
     void cancel();
-    /// The newest has not been delivered yet.
+    /// Whether the newest job has not been delivered yet.
     bool is_busy() const { return awaited_; }
 
 private:

@@ -11,22 +11,22 @@ namespace covaria::ui {
 
 enum class SaveAnswer { save, discard, cancel };
 enum class DiskAnswer { reload, keep };
-/// Later: it is kept, and asked about at the next start.
+/// `later`: the project is kept, and asked about at the next start.
 struct RecoverAnswer {
     enum class What { recover, later, discard } what = What::later;
-    int entry = 0;  ///< of those that were kept
+    int entry = 0;  ///< index of the chosen one among the entries that were offered
 };
 
 struct Dialogs {
     std::function<QString(const QString& folder)> file_to_open;
-    /// title, folder, filter; empty = cancelled.
+    /// Parameters: title, folder, filter; empty = cancelled.
     std::function<QString(const QString& title, const QString& folder, const QString& filter)> file_to_import;
-    /// title, suggested path, filter ("PDF document (*.pdf)"); empty = cancelled.
+    /// Parameters: title, suggested path, filter ("PDF document (*.pdf)"); empty = cancelled.
     std::function<QString(const QString& title, const QString& suggested, const QString& filter)>
         file_to_save;
     std::function<SaveAnswer(const QString& name)> save_changes;
     std::function<DiskAnswer(const QString& name, bool modified)> changed_on_disk;
-    /// What to do with which of the kept projects (by title and time).
+    /// Asks what to do with which of the kept projects, each named by its title and time.
     std::function<RecoverAnswer(const QStringList& entries)> recover;
     std::function<bool(const QString& question, const QString& action)> confirm;
     std::function<QString(const QString& title, const QString& label, const QString& text)> ask_text;
@@ -36,8 +36,8 @@ struct Dialogs {
 /// Qt's own dialogs, over `parent`.
 Dialogs standard_dialogs(QWidget* parent);
 
-/// Where the user last opened, saved, imported or exported a file, also in an earlier session; at first where
-/// documents are kept. All dialogs begin there.
+/// Folder in which the user last opened, saved, imported or exported a file, also in an earlier session; at
+/// first the one where documents are kept. All dialogs begin there.
 QString last_folder();
 void remember_folder_of(const QString& file);
 

@@ -7,7 +7,7 @@ class QDockWidget;
 
 namespace covaria::ui {
 
-/// Without `controls` the dock's title is shown and follows it. Underlined while the keyboard is in the dock.
+/// Head of a dock: `controls`, else the dock's present title. Underlined while the keyboard is in the dock.
 class DockTitle : public QWidget {
     Q_OBJECT
 public:

@@ -102,7 +102,7 @@ QString ExportActions::suggested(const QString& ending) const {
     return QDir(last_folder()).filePath(QFileInfo(document_.display_name()).completeBaseName() + ending);
 }
 
-/// Whoever wants a document wants what it states to be computed.
+/// Runs the analyses where there are no results yet: a document is to state some. False: nothing runs.
 bool ExportActions::has_results_or_runs() {
     const auto has_results = [this] {
         return runner_.is_busy() || !current_results(document_.project(), runner_).empty();

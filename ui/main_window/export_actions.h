@@ -26,20 +26,20 @@ public:
     QMenu* make_menu(QWidget* parent);
     QAction* pdf_action;
     QAction* certificate_action;
-    QAction* document_action;  ///< of the toolbar: the one of the document that is in view
-    /// The shortcut goes to what exports this document.
+    QAction* document_action;  ///< stands in the toolbar and exports the document in view
+    /// The shortcut goes to the action that exports this document.
     void follow_view(DocumentKind kind);
 
     void ask_report(ReportFormat format);
-    /// Says first what ISO/IEC 17025 requires and is missing.
+    /// Asks for a certificate, and says first what ISO/IEC 17025 requires and is missing.
     void ask_certificate();
     void ask_tables();
-    /// A file for other programs, by a writer of core/writers.
+    /// Asks for a file for other programs, by a writer of core/writers.
     void ask_for_others(const Writer& writer);
     void export_for_others(const Writer& writer, const QString& file);
     void export_report_to(const QString& file, ReportFormat format);
     void export_certificate_to(const QString& file);
-    /// results.json and the CSV tables, into a folder.
+    /// Writes results.json and the CSV tables into a folder.
     void export_results_to(const QString& folder);
     bool is_busy() const { return maker_.is_busy(); }
 
@@ -50,7 +50,7 @@ signals:
     void finished(const QString& file, const QString& problem);
 
 private:
-    /// Does it when no analysis runs any more: an export has the results, not what there is of them.
+    /// Calls `what` when no analysis runs any more: an export has final results.
     void when_finished(const std::function<void()>& what);
     void go_on();
     QString without_words(const std::vector<std::string>& analyses) const;

@@ -107,7 +107,7 @@ void FileActions::new_project() {
     if (!may_leave()) return;
     Project project;
     project.title = tr("Untitled project").toStdString();
-    // Its documents speak as the window does, until the project says otherwise.
+    // Documents of the project speak as the window does, until the project says otherwise.
     for (const CertificateLanguage& language : certificate_languages())
         if (spoken_language() == QLatin1String(language.code) && spoken_language() != QLatin1String("en"))
             project.certificate.language = language.code;

@@ -25,7 +25,7 @@ public:
     QAction* open_action;
     QAction* save_action;
     QAction* save_as_action;
-    /// New from example, recent files: filled when they open.
+    /// Menu of new from example and recent files, filled when it opens.
     QMenu* make_recent_menu(QWidget* parent);
     QMenu* make_examples_menu(QWidget* parent);
     QStringList recent_files() const;
@@ -33,7 +33,7 @@ public:
     void new_project();
     void open();
     void open_file(const QString& file);
-    /// As a new, unsaved project: the shipped file stays as it is.
+    /// Opens it as a new, unsaved project: the shipped file stays as it is.
     void open_example(const QString& file);
     bool save();
     bool save_as();
@@ -45,7 +45,7 @@ public:
     bool may_leave();
 
 signals:
-    /// There is a project now (or another one).
+    /// There is a project now, or another one.
     void project_opened();
     void recent_changed();
     void message(const QString& text);

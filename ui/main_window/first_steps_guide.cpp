@@ -20,7 +20,7 @@
 namespace covaria::ui {
 namespace {
 
-/// A row of the budget has a text there.
+/// Whether a row of the budget has a text in this section.
 bool has_text(const BudgetPage& page, BudgetSheetModel::Section section) {
     const BudgetSheetModel* model = page.model();
     for (int row = 0; model && row < model->rowCount(); ++row)
@@ -97,7 +97,7 @@ StepsTaken FirstStepsGuide::taken() const {
     return taken;
 }
 
-/// What was done stays done: a tab that was looked at may be left.
+/// Marks the steps that are taken now; done ones stay done, since a tab that was looked at may be left.
 void FirstStepsGuide::look() {
     if (dock_->isHidden()) return;
     const StepsTaken now = taken();

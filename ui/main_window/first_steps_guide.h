@@ -34,10 +34,10 @@ public:
     };
     explicit FirstStepsGuide(const Parts& parts);
 
-    /// There is a project.
+    /// Begins when there is a project.
     void begin();
     FirstStepsPanel& panel() const { return *panel_; }
-    /// What can be seen now.
+    /// The steps that project and window show to be taken at this moment.
     StepsTaken taken() const;
     /// Opens what a step is about and puts the frame around it; where it is not there yet, the first step
     /// that is still to be done.

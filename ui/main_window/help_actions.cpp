@@ -105,7 +105,7 @@ void HelpActions::hide() {
     if (dock_) dock_->hide();
 }
 
-/// For one who asked for the page itself: the keyboard reads it, and Esc goes back.
+/// Gives the keyboard to the page, for a user who asked for the page itself; Esc gives it back.
 void HelpActions::read() {
     if (!shown_pane()) return;
     before_ = QApplication::focusWidget();

@@ -21,13 +21,13 @@ public:
     HelpActions(QMainWindow& window, Selection& selection, Document& document);
 
     void add_to(QMenu& menu);
-    /// F1: the field, cell or entry with the focus, else the model of the selected analysis, else the keys.
+    /// Answers F1 for the field, cell or entry with the focus, else the model of the analysis, else the keys.
     void show_help_on_focus();
-    /// A page or a place on one.
+    /// Shows a page or a place on one.
     void show_place(const QString& anchor);
-    /// Made when it is first asked for.
+    /// The pane, made when it is first asked for.
     HelpPane& pane();
-    /// Null while it is hidden.
+    /// The pane; null while it is hidden.
     QWidget* shown_pane() const;
     void hide();
 

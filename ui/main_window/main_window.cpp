@@ -272,7 +272,7 @@ void MainWindow::make_view_menu() {
     project_actions_ << scene << menu->addMenu(&views_->menu());
 }
 
-/// As they stand, from the left.
+/// The panes as they stand, from the left.
 QList<QWidget*> MainWindow::panes() {
     const bool on_stage = results_->isVisible();
     QList<QWidget*> all{project_, on_stage ? results_->tabs().currentWidget() : pages_->currentWidget()};
@@ -294,7 +294,7 @@ void MainWindow::make_help_menu() {
 
 void MainWindow::connect_panes() {
     connect_middle();
-    // When the menu or the list that it was chosen from has given the keyboard back.
+    // Queued: first the menu or list from which it was chosen gives the keyboard back.
     connect(project_, &ProjectPane::entry_added, properties_, &PropertiesPane::go_to_first_field,
             Qt::QueuedConnection);
     connect(project_, &ProjectPane::library_wanted, this, &MainWindow::show_library);
@@ -358,7 +358,7 @@ void MainWindow::connect_panes() {
         results_->set_dark(dark);
     });
     connect(&preferences_, &PreferenceStore::changed, this, &MainWindow::take_preferences);
-    // Once, however often an edit runs it again.
+    // Each failure is told once, however often an edit runs the analysis again.
     connect(&runner_, &AnalysisRunner::state_changed, this,
             [this, said = QMap<QString, QString>()](const QString& id) mutable {
                 const AnalysisStatus& status = runner_.status(id);
@@ -498,8 +498,8 @@ void MainWindow::take_preferences() {
     files_.set_autosave(wanted.autosave_seconds);
     const bool other_numbers = wanted.numbers != numbers_;
     const bool other_font = !(std::exchange(font_, wanted.font) == wanted.font);
-    if (other_numbers || other_font) finish_typing();  // what was typed is of the form before
-    // Widths of letters as well, when all have taken the font.
+    if (other_numbers || other_font) finish_typing();  // typed texts have the form from before
+    // Widths follow the letters as well, once all widgets have taken the font.
     if (other_font && has_project_)
         QMetaObject::invokeMethod(this, &MainWindow::give_sides, Qt::QueuedConnection);
     if (other_numbers) {
@@ -548,13 +548,13 @@ void MainWindow::show_project() {
     if (pages_->empty().isVisible()) pages_->empty().setFocus();
 }
 
-/// What the equations name has its rows there.
+/// Tab leads from the equations to the budget, where the quantities that they name have their rows.
 void MainWindow::lead_from_equations_to_budget() {
     const auto* equations = properties_->findChild<LinesEditor*>();
     if (equations) budget_->follow_in_tab_order(*equations->text_edit());
 }
 
-/// Nothing is evaluated from an old value while a text stands in its place.
+/// Holds runs back, so that nothing is evaluated from an old value while a text stands in its place.
 void MainWindow::hold_runs() {
     const UnreadTexts::Held held = document_.unread().held(document_.project());
     runner_.set_held(held.analyses);

@@ -40,7 +40,7 @@ public:
     explicit MainWindow(RecoveryStore store = RecoveryStore(), QWidget* parent = nullptr);
     ~MainWindow() override;
 
-    /// At the start: recovered work, the file given, or the start page.
+    /// Shows what the user starts with: recovered work, the file given, or the start page.
     void begin(const QString& file);
 
     Document& document() { return document_; }
@@ -59,9 +59,9 @@ public:
     PreferenceStore& preferences() { return preferences_; }
     void show_preferences();
     ImportActions& imports() { return *imports_; }
-    /// Made when it is first asked for.
+    /// The library, made when it is first asked for.
     LibraryBrowser& library();
-    /// Likewise.
+    /// The first steps, made when they are first asked for.
     FirstStepsGuide& first_steps();
     void show_first_steps();
 
@@ -73,7 +73,7 @@ private:
     void make_panes();
     QDockWidget* add_dock(Qt::DockWidgetArea area, const QString& title, const QString& name,
                           QWidget* content, QWidget* controls = nullptr);
-    /// As at the first start.
+    /// Puts the panes where they are at the first start.
     void arrange();
     void give_sides();
     void count_problems();
@@ -96,7 +96,7 @@ private:
     void hold_runs();
     void go_to(const QString& path);
     void update_title();
-    /// At once, everywhere.
+    /// Applies changed preferences at once, everywhere.
     void take_preferences();
 
     PreferenceStore preferences_;

@@ -11,7 +11,7 @@ bool is_within(const QWidget& pane, const QWidget* widget) {
     return widget && (widget == &pane || pane.isAncestorOf(widget));
 }
 
-/// Of docks that are tabs of each other all count as visible.
+/// Whether a pane is not covered: all docks that are tabs of each other count as visible.
 bool is_seen(const QWidget& pane) {
     const QWidget& window = *pane.window();
     return pane.isVisible() && is_within(pane, window.childAt(pane.mapTo(&window, pane.rect().center())));
@@ -46,7 +46,7 @@ void PaneKeys::remember(QWidget* focused) {
         if (focused && is_within(*pane, focused)) last_[pane] = focused;
 }
 
-/// What had the focus last comes first.
+/// The widget that had the focus last, else the pane's usual place for keys.
 QWidget* PaneKeys::place_in(QWidget& pane) const {
     QWidget* last = last_.value(&pane);
     return last && is_within(pane, last) && takes_focus(last) ? last : place_for_keys(pane);

@@ -12,8 +12,8 @@ class QWidget;
 
 namespace covaria::ui {
 
-/// Where the keyboard goes in a pane: what the pane is for, else the first that Tab would reach; null where
-/// there is nothing.
+/// Widget of a pane that the keyboard goes to: its focus proxy, itself, else the first that Tab would reach;
+/// null where there is none.
 QWidget* place_for_keys(QWidget& pane);
 
 class PaneKeys : public QObject {
@@ -29,7 +29,7 @@ private:
     QWidget* place_in(QWidget& pane) const;
 
     std::function<QList<QWidget*>()> panes_;
-    QMap<QWidget*, QPointer<QWidget>> last_;  ///< that had the focus in a pane
+    QMap<QWidget*, QPointer<QWidget>> last_;  ///< the widget that last had the focus in a pane
 };
 
 }  // namespace covaria::ui

@@ -27,7 +27,7 @@
 namespace covaria::ui {
 namespace {
 
-constexpr int title_bar = 40;  // of the dialog, on the screen
+constexpr int title_bar = 40;  // px, of the dialog on the screen
 
 QFormLayout* add_group(QVBoxLayout& column, const QString& title, const QString& note) {
     auto* group = new QGroupBox(title);
@@ -83,7 +83,7 @@ PreferencesDialog::PreferencesDialog(PreferenceStore& preferences, QWidget* pare
     fit();
 }
 
-/// As high as the notes need when they are broken into lines, and no higher than the screen.
+/// Makes the dialog as high as the notes need when broken into lines, and no higher than the screen.
 void PreferencesDialog::fit() {
     const QLayout& content = *area_->widget()->layout();
     const QSize wanted = content.totalSizeHint();

@@ -31,7 +31,7 @@ private:
     QComboBox* add_box(QFormLayout& form, const QString& title, const char* name, const QString& help);
     QSpinBox* add_number(QFormLayout& form, const QString& title, const char* name, const QString& help,
                          std::pair<int, int> range);
-    /// What the controls say.
+    /// Stores what the controls say as the preferences.
     void take();
     void show_preferences();
 

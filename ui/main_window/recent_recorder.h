@@ -13,7 +13,7 @@ namespace covaria::ui {
 class AnswerStrip;
 class SceneView;
 
-/// When runs have ended and the project is as its file: its answer, verdict and picture.
+/// Keeps answer, verdict and picture of a project for its card, when runs have ended and it is as its file.
 class RecentRecorder : public QObject {
     Q_OBJECT
 public:
@@ -25,7 +25,7 @@ public:
         SceneView& scene;
     };
     RecentRecorder(const Seen& seen, QObject* parent);
-    /// At once.
+    /// Keeps them at once.
     void record();
 
 signals:

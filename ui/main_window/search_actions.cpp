@@ -26,7 +26,7 @@
 namespace covaria::ui {
 namespace {
 
-/// Of one analysis; a network of 1,000 targets has 90,000 quantities.
+/// Quantities of an analysis that can be searched; a network of 1,000 targets has 90,000.
 constexpr std::size_t most_quantities = 2000;
 
 QString without_mnemonic(QString text) {
@@ -38,7 +38,7 @@ QString quantity_words(const std::string& symbol, const Name& group, const Messa
     return name.empty() || name == symbol ? words : words + QStringLiteral(": ") + to_qt(name);
 }
 
-/// Those that can be gone to.
+/// Headings that a search can lead to.
 std::vector<const HeadingBlock*> headings_of(const HelpPage& page) {
     std::vector<const HeadingBlock*> headings;
     for (const ReportBlock& block : page.blocks)
@@ -47,7 +47,7 @@ std::vector<const HeadingBlock*> headings_of(const HelpPage& page) {
     return headings;
 }
 
-/// By their anchors, which are those of all languages; none where the window speaks English.
+/// English headings by their anchors, which all languages share; none where the window speaks English.
 std::map<std::string, QString> english_headings() {
     std::map<std::string, QString> headings;
     if (spoken_language() == QLatin1String("en")) return headings;
@@ -107,7 +107,7 @@ void SearchActions::add_commands(const QMenu& menu, std::vector<Findable>& all) 
     }
 }
 
-/// The entry and the fields of its set-up.
+/// Adds the entry and the fields of its set-up.
 void SearchActions::add_entry(const SetupAddress& entry, const std::string& name, const QString& kind,
                               std::vector<Findable>& all) const {
     all.push_back({to_qt(name), kind, [this, entry] {

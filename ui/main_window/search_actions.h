@@ -22,7 +22,7 @@ struct SetupAddress;
 class SearchActions : public QObject {
     Q_OBJECT
 public:
-    /// `go_to`: to a field, by its JSON pointer into the project.
+    /// `go_to`: leads to a field, by its JSON pointer into the project.
     SearchActions(QMainWindow& window, Document& document, Selection& selection, ResultsPane& results,
                   PropertiesPane& properties, HelpActions& help,
                   std::function<void(const QString& path)> go_to);

@@ -7,7 +7,7 @@ class QWidget;
 
 namespace covaria::ui {
 
-/// Of the tree and of the inspector (px), in a window of that width and letters.
+/// Widths (px) of the tree and of the inspector in a window of this width and letters.
 QList<int> side_widths(const QWidget& window);
 
 }  // namespace covaria::ui

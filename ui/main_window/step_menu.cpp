@@ -8,7 +8,7 @@
 namespace covaria::ui {
 namespace {
 
-constexpr int most_before = 30, most_after = 10;  // of the present one
+constexpr int most_before = 30, most_after = 10;  // steps listed around the present one
 
 void list_steps(QMenu& menu, Document& document) {
     menu.clear();

@@ -8,7 +8,7 @@ class QWidget;
 
 namespace covaria::ui {
 
-/// Newest first, the last one that is done is checked; who chooses one is where it was done.
+/// A menu of steps, newest first, with the last done one checked; choosing one leads back or forth to it.
 QMenu* make_step_menu(Document& document, QWidget* parent);
 
 }  // namespace covaria::ui

@@ -13,10 +13,10 @@ class ThemeSwitch : public QObject {
 public:
     explicit ThemeSwitch(PreferenceStore& preferences, QObject* parent = nullptr);
     bool is_dark() const { return dark_; }
-    /// "system", "light" or "dark"; remembered.
+    /// `key`: "system", "light" or "dark"; remembered.
     void choose(const QString& key);
 
-    /// The desktop's colours have changed.
+    /// Follows the desktop's colours, which have changed.
     void follow_system();
 
 signals:

@@ -17,7 +17,7 @@ namespace covaria::ui {
 
 namespace {
 
-/// It is closed as well, by the view.
+/// Whether the line edits a cell: the view closes it as well.
 bool edits_cell(const QLineEdit& line) {
     const QWidget* around = line.parentWidget();
     return around && qobject_cast<QAbstractItemView*>(around->parentWidget());
@@ -31,7 +31,7 @@ void take_changed(const std::vector<Entry>& before, const std::vector<Entry>& af
         if (std::ranges::find(before, entry) == before.end()) changed.push_back({owner, entry.id});
 }
 
-/// Where a step was: the one entry that it changed.
+/// The one entry that a step changed; nullopt if it changed none or several.
 std::optional<SetupAddress> changed_entry(const Project& before, const Project& after) {
     std::vector<SetupAddress> changed;
     take_changed(before.assets, after.assets, SetupOwner::asset, changed);

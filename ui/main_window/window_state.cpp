@@ -9,7 +9,7 @@ namespace covaria::ui {
 
 namespace {
 constexpr int state_version =
-    4;  // of the set of docks and bars: an older arrangement is not applied to a newer set
+    4;  // counts the sets of docks and bars: an arrangement of an older set is not applied to a newer one
 }
 
 bool restore_window(QMainWindow& window) {

@@ -1,4 +1,4 @@
-// What the window remembers between sessions: size, docks, switches.
+// Size, docks and switches of the window, remembered between sessions.
 #pragma once
 
 class QMainWindow;

@@ -26,8 +26,8 @@ class AllResultsModel : public ColumnTableModel {
 public:
     using ColumnTableModel::ColumnTableModel;
     void set_analyses(std::vector<ShownAnalysis> analyses);
-    /// Only rows with all the words of `text` in analysis, symbol, name or group, and on request only those
-    /// whose requirement is not met.
+    /// Keeps only rows with all the words of `text` in analysis, symbol, name or group, and on request only
+    /// those whose requirement is not met.
     void set_filter(const QString& text, bool only_not_met);
 
     struct Place {
@@ -45,9 +45,9 @@ private:
     };
     void rebuild();
     bool is_wanted(const ShownAnalysis& analysis, std::size_t output) const;
-    /// Their rows one below the other.
+    /// The tables of the analyses with these outputs, one below the other.
     Table joined(const std::vector<std::vector<std::size_t>>& outputs) const;
-    /// Where it is one of all.
+    /// The coverage probability that all analyses share; nullopt: they have several.
     std::optional<double> coverage_probability() const;
 
     std::vector<ShownAnalysis> analyses_;

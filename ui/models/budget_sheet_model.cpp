@@ -31,7 +31,7 @@ struct SectionHead {
     const char* title;
     const char* help;
     const char* of_setup;   ///< key of the column that it shows; null: none
-    const char* of_budget;  ///< likewise of the result's budget
+    const char* of_budget;  ///< key of the column of the result's budget; null: none
 };
 
 constexpr std::array<SectionHead, BudgetSheetModel::sections> heads{{
@@ -230,7 +230,7 @@ QVariant BudgetSheetModel::of_sheet(int row, int section, int role) const {
     return cell.data(role);
 }
 
-/// Its own words, what cannot be read as it was typed, and the problems of all figures in it.
+/// The words of a statement, a text that cannot be read as it was typed, and problems of all its figures.
 QVariant BudgetSheetModel::stated_cell(int row, int role) const {
     const QModelIndex kind = sheet_.index(row, column("statement"));
     const bool refused = sheet_.is_refused(row, column("statement"));
@@ -273,7 +273,7 @@ QVariant BudgetSheetModel::computed(int row, int section, int role) const {
     if (section == estimate && row > 0 && symbol_of(row) == symbol_of(row - 1)) return {};  // it stands above
     const char* key = section == estimate ? "estimate" : head_of(section).of_budget;
     if (!key) return {};
-    // What is stated stays in the row's unit, what comes of it is in that of the results below.
+    // Stated figures stay in the row's unit; contributions are in the unit of the results below.
     const TableView view{section == contribution ? figures_.units_of_contributions() : DisplayUnits(),
                          digits_, language_of_window()};
     const Column& of = figures_.table()[key];
@@ -385,7 +385,7 @@ BudgetSheetModel::Cells BudgetSheetModel::cells_of_statement(int row, const QStr
     cells[column("a")] = {.number = read->a};
     cells[column("b")] = {.number = read->b};
     cells[column("stated_unit")] = {to_qt(read->unit)};
-    // Those of another kind of statement, or of another certificate, are not its own.
+    // Degrees of freedom of another kind of statement, or of another certificate, are not its own.
     const std::string before = text_at(row, "statement");
     const bool is_another =
         !before.empty() &&
@@ -401,7 +401,7 @@ BudgetSheetModel::Cells BudgetSheetModel::cells_for(int row, int section, const 
     cells[column_of(section)] = {text};
     const QString figure = text.trimmed();  // "2 ppm" would be 0.000 002 degrees of freedom
     if (section == nu && figure == QStringLiteral("∞"))
-        cells[column_of(section)] = {};  // as they are where none are stated
+        cells[column_of(section)] = {};  // no number of degrees of freedom is stated
     else if (section == nu && !figure.isEmpty() && !parse_number(figure, QLocale()))
         cells[column_of(section)] = {text, tr("“%1” is not a number of degrees of freedom.").arg(figure)};
     return cells;
@@ -446,7 +446,7 @@ bool BudgetSheetModel::state_u(int row, const QString& text) {
     return true;
 }
 
-/// What was refused in another unit of the row.
+/// Reads the texts of a row again that were refused, now in another unit of the row.
 void BudgetSheetModel::read_again(int row) {
     for (const auto& [section, key] :
          {std::pair(int(estimate), "value"), std::pair(int(stated), "statement")})
@@ -468,7 +468,7 @@ void BudgetSheetModel::remove_rows_at(const std::set<int>& rows) {
     sheet_.remove_rows_at(there);
 }
 
-/// What is computed is passed over, so that a whole copied budget can be pasted back.
+/// Passes over computed columns, so that a whole copied budget can be pasted back.
 int BudgetSheetModel::paste(const QModelIndex& at, const QString& text) {
     const std::vector<QStringList> block = parse_block(text, QLocale());
     const int top = at.isValid() ? at.row() : sheet_.rowCount(), left = at.isValid() ? at.column() : 0;
@@ -488,7 +488,7 @@ int BudgetSheetModel::paste(const QModelIndex& at, const QString& text) {
     return refused;
 }
 
-/// What stands in the table of the set-up.
+/// Whether the cell belongs to the set-up's table: neither computed nor of the row for new ones.
 bool BudgetSheetModel::is_typed(const QModelIndex& cell) const {
     return (flags(cell) & Qt::ItemIsEditable) && !is_computed(cell.column()) && !is_new_row(cell.row());
 }

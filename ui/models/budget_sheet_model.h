@@ -21,7 +21,7 @@ namespace covaria::ui {
 class BudgetSheetModel : public SpreadsheetModel {
     Q_OBJECT
 public:
-    /// In the order of the columns.
+    /// Sections in the order of the columns.
     enum Section {
         symbol,
         name,
@@ -44,7 +44,7 @@ public:
 
     /// A null result, or an output it does not have, leaves the computed cells empty.
     void set_result(std::shared_ptr<const UncertaintyResult> result, std::size_t output, bool current);
-    /// Of the result, for what comes of the rows.
+    /// Sets the units of results, which computed cells have.
     void set_units(const DisplayUnits& units);
     void set_digits(int digits) { digits_ = digits; }  ///< significant ones of u, with the next result
     SetupTableModel& sheet() { return sheet_; }
@@ -62,14 +62,14 @@ public:
     void fill_down(const QModelIndexList& cells) override;
     void clear(const QModelIndexList& cells) override;
     void remove_rows_at(const std::set<int>& rows) override;
-    /// u, which follows, and a unit that was typed behind the estimate: what is typed next is the statement.
+    /// Passes over u, which follows, and a unit typed behind the estimate: the statement is typed next.
     bool is_passed_over(const QModelIndex& cell) const override {
         return cell.column() == u || (cell.column() == unit && cell.row() == typed_with_unit_);
     }
     bool is_linked() const override { return sheet_.is_linked(); }
 
     static bool is_computed(int section);
-    /// Of the quantity that the row states; empty: none yet.
+    /// Symbol of the quantity that the row states; empty: none yet.
     std::string symbol_of(int row) const;
     /// Id of the component that the row states in the result shown; empty: none.
     std::string component_of(int row) const;
@@ -79,7 +79,7 @@ private:
     void follow_sheet();
     bool is_new_row(int row) const { return row == sheet_.rowCount(); }
     int column(const char* key) const;
-    /// Of the set-up's table; -1: the section has none of its own.
+    /// Column of the set-up's table; -1: the section has none of its own.
     int column_of(int section) const;
     QVariant computed(int row, int section, int role) const;
     /// As a part of the variance, without its sign.
@@ -91,33 +91,33 @@ private:
     bool state_u(int row, const QString& text);
     bool is_typed(const QModelIndex& cell) const;
     Unit unit_of(int row) const;
-    /// Empty: the cell is.
+    /// Text of a cell; empty if the cell is.
     std::string text_at(int row, const char* key) const;
     std::optional<double> number_at(int row, const char* key) const;
-    /// What typing `text` into a section of a row writes there and beside it.
+    /// The cells that typing `text` into a section of a row writes there and beside it.
     Cells cells_for(int row, int section, const QString& text) const;
     Cells cells_of_statement(int row, const QString& text) const;
-    /// What is written with one of these keys is undone at once.
+    /// A new key: edits that are written with the same key are one undo step.
     QString next_step();
-    /// What `cells_for` says, and the observations that a statement lists. Returns how many could not be
-    /// understood.
+    /// Writes the cells of `cells_for`, and the observations that a statement lists. Returns how many could
+    /// not be understood.
     int write(int row, int section, const QString& text, const QString& step);
     void take_observations(int row, const QString& text, const QString& step);
     Result<TypedStatement> read_typed(int row, const QString& text) const;
     Result<TypedStatement> read_in(const QString& text, const Unit& of_row) const;
     std::optional<Unit> unit_of_list(int row, const QString& text) const;
-    /// They have a table of their own, which others can edit too.
+    /// Follows the observations: they have a table of their own, which others can edit too.
     void follow_observations();
     const std::vector<double>& observed(const std::string& of) const;
 
     Document& document_;
     SetupAddress address_;
-    SetupValue observations_;  ///< as they are shown
-    /// Of the rows shown, by symbol: cells are painted often, and the table can be long.
+    SetupValue observations_;  ///< the ones that are shown
+    /// Observations of the rows shown, by symbol: cells are painted often, and the table can be long.
     mutable std::map<std::string, std::vector<double>> observed_;
     const FieldSpec& field_;
     SetupTableModel sheet_;
-    SheetFigures figures_;  ///< what comes of the result shown
+    SheetFigures figures_;  ///< the figures computed for the rows
     std::shared_ptr<const UncertaintyResult> result_;
     std::size_t output_ = 0;
     double largest_share_ = 0.0;  ///< of the rows, when the result came

@@ -24,7 +24,7 @@ protected:
     QVariant extra(std::size_t row, std::size_t column, int role) const override;
 
 private:
-    /// What the number of a Sobol index is worth.
+    /// Words on the standard error of a Sobol index.
     QString standard_error(std::size_t row, const std::string& of_index) const;
 
     std::shared_ptr<const UncertaintyResult> result_;

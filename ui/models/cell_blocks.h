@@ -16,7 +16,7 @@ std::vector<QStringList> parse_block(const QString& text, const QLocale& locale)
 /// Texts of the selected cells, row by row with tabs between, numbers with all their digits as a spreadsheet
 /// in the user's locale takes them; cells not selected are empty. With `heads`, the column heads come first.
 QString block_text(const QModelIndexList& cells, bool heads = false);
-/// Such a text without the line of the model's column heads, where it begins with one.
+/// The text without the line of the model's column heads, where it begins with one.
 QString without_heads(const QString& text, const QAbstractItemModel& model);
 
 }  // namespace covaria::ui

@@ -29,29 +29,29 @@ public:
     const DisplayUnits& units() const { return view_.units; }
     void set_digits(int digits);  ///< significant digits of uncertainties
 
-    /// Of what is shown these rows and columns, for a file in `units()`; it lives no longer than the
+    /// A table for a file, of these rows and columns shown, in `units()`; it lives no longer than the
     /// contents.
     Table file_table(const std::vector<int>& rows, const std::vector<int>& columns) const;
 
 protected:
-    /// Columns of `table` by their keys. With the same shape as before, views keep their selection and
-    /// scroll position. `owner` is kept: what the table reads.
+    /// Shows the columns of `table` with these keys. Where the shape is as before, views keep selection and
+    /// scroll position. `owner` is kept: the table reads it.
     void set_contents(std::shared_ptr<const void> owner, Table table, std::vector<std::string> keys,
                       bool current);
     /// Other roles of a cell.
     virtual QVariant extra(std::size_t row, std::size_t column, int role) const;
     virtual QVariant row_title(std::size_t row, int role) const;
     const std::string& key(std::size_t column) const { return keys_[column]; }
-    /// Of a column of the table that need not be shown.
+    /// Text of a column of the table, which need not be shown.
     Text text_of(const std::string& column, std::size_t row) const { return shown(table_[column], row); }
 
 private:
     const Column& column(int section) const { return table_[keys_[static_cast<std::size_t>(section)]]; }
-    /// In the language of the window.
+    /// Head of a column in the language of the window.
     Text head(const Column& column) const;
     Text shown(const Column& column, std::size_t row) const;
     void tell();
-    /// With numbers in the form of now.
+    /// View with numbers as the window writes them now.
     TableView view() const { return {view_.units, view_.digits, language_of_window()}; }
 
     std::shared_ptr<const void> owner_;

@@ -15,7 +15,7 @@ class ComparedResultsModel : public ColumnTableModel {
 public:
     using ColumnTableModel::ColumnTableModel;
 
-    /// Outputs of one group only; an empty group: all. Null empties the table.
+    /// Shows outputs of one group only; an empty group: all. Null empties the table.
     void set_comparison(ComparisonPointer comparison, const std::string& group, bool current);
     /// Index among the outputs compared.
     std::size_t output_of(int row) const { return shown_[static_cast<std::size_t>(row)]; }
@@ -36,7 +36,7 @@ class ComparedBudgetModel : public ColumnTableModel {
 public:
     using ColumnTableModel::ColumnTableModel;
 
-    /// Of one of the outputs compared; null empties the table.
+    /// Shows the comparison of one output; null empties the table.
     void set_comparison(ComparisonPointer comparison, std::size_t output, bool current);
 };
 

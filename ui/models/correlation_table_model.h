@@ -12,7 +12,7 @@ class CorrelationTableModel : public ColumnTableModel {
     Q_OBJECT
 public:
     using ColumnTableModel::ColumnTableModel;
-    /// Outputs of one group, or all with an empty one. A null result empties the table.
+    /// Shows outputs of one group, or all with an empty one. A null result empties the table.
     void set_result(std::shared_ptr<const UncertaintyResult> result, const std::string& group, bool current);
 
 protected:

@@ -155,7 +155,7 @@ void InputCorrelationModel::remove_component(int row) {
 std::vector<std::string> InputCorrelationModel::other_components() const {
     std::vector<std::string> others;
     if (!analysis_) return others;
-    // What belongs to an analysis that something is taken from is correlated there.
+    // Components of an analysis that a link comes from are correlated there, not here.
     std::vector<bool> upstream(analysis_->inputs.components.size(), false), own = upstream;
     for (const InputQuantity& quantity : analysis_->inputs.quantities)
         for (const Share& share : quantity.shares)
@@ -164,7 +164,7 @@ std::vector<std::string> InputCorrelationModel::other_components() const {
         if (const std::string& id = analysis_->inputs.components[c].id;
             (own[c] || !upstream[c]) && !contains(ids_, id))
             others.push_back(id);
-    for (const InputQuantity& quantity : analysis_->inputs.quantities)  // as a whole
+    for (const InputQuantity& quantity : analysis_->inputs.quantities)  // a quantity as a whole
         if (quantity.analysis.empty() && quantity.shares.size() > 1 && !contains(ids_, quantity.symbol))
             others.push_back(quantity.symbol);
     return others;

@@ -29,7 +29,7 @@ public:
     /// Ids of components that are not in the matrix.
     std::vector<std::string> other_components() const;
 
-    /// Of two components in the matrix; invalid: one is not.
+    /// Cell of two components in the matrix; invalid: one is not in it.
     QModelIndex index_of(const std::string& a, const std::string& b) const;
 
     int rowCount(const QModelIndex& parent = {}) const override;
@@ -46,13 +46,13 @@ signals:
     void complaint_changed();
 
 private:
-    /// Of a component, in what is told of an edit.
+    /// Name of a component in the words of an undo step.
     QString said(const std::string& id) const;
     void refresh();
     void check();
     const std::vector<covaria::CorrelationEdit>& edits() const;
     TextPlace place(const QModelIndex& index) const;
-    /// What was typed and is no coefficient; null where there is one.
+    /// Text typed in a cell that is no coefficient; null: the cell has one.
     const UnreadText* unread(const QModelIndex& index) const;
     void forget_unread(const std::function<bool(const TextPlace&, const UnreadText&)>& which);
     double coefficient(const std::string& a, const std::string& b) const;

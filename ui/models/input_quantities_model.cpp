@@ -1,4 +1,4 @@
-// What was typed is shown at once; u follows when the analysis has been prepared again.
+// Typed figures are shown at once; u follows when the analysis has been prepared again.
 #include "ui/models/input_quantities_model.h"
 
 #include <QFont>
@@ -101,7 +101,7 @@ QString InputQuantitiesModel::estimate_text(int row) const {
     return number_text(QString::number(value, 'g', 12).toDouble(), QLocale());
 }
 
-/// As it was typed, where its uncertainty does not leave fewer digits.
+/// The estimate with all digits that were typed, else as few as match its uncertainty.
 QString InputQuantitiesModel::shown_estimate(int row) const {
     const InputEdit edit = find_input_edit(document_.project(), analysis_->id, quantity(row).symbol);
     const Unit& unit = quantity(row).unit;

@@ -36,11 +36,11 @@ public:
     Qt::ItemFlags flags(const QModelIndex& index) const override;
     bool setData(const QModelIndex& index, const QVariant& value, int role = Qt::EditRole) override;
 
-    /// Back to what the model says.
+    /// Gives the quantity back what the model says.
     void reset_edits(int row);
     bool is_edited(int row) const;
     int row_of(const std::string& symbol) const;
-    /// Its value is an output of another analysis, and nothing of it is edited here.
+    /// Whether its value is an output of another analysis: nothing of it is edited here.
     bool is_linked(int row) const { return static_cast<std::size_t>(row) >= own_.size(); }
     const InputQuantity& quantity(int row) const {
         const auto i = static_cast<std::size_t>(row);
@@ -65,9 +65,9 @@ private:
 
     Document& document_;
     std::shared_ptr<const PreparedAnalysis> analysis_;
-    Table table_;                        ///< of the quantities that are not linked, a row each
+    Table table_;                        ///< a row for each quantity that is not linked
     std::vector<std::size_t> own_;       ///< indices of the quantities that are not upstream's
-    std::vector<InputQuantity> linked_;  ///< as `analysis_->linked`
+    std::vector<InputQuantity> linked_;  ///< the quantities of `analysis_->linked`
 };
 
 }  // namespace covaria::ui

@@ -1,4 +1,4 @@
-// How U and k look where the interval is stated in their place (JCGM 101 5.5).
+// The look of U and k where the interval is stated in their place (JCGM 101 5.5).
 #pragma once
 
 #include <QVariant>

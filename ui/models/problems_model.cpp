@@ -63,7 +63,7 @@ QString in_words(const QString& key) {
     return words;
 }
 
-/// Of a member of one of the analysis' lists: "/links/0/analysis".
+/// Words for a member of one of the analysis' lists: "/links/0/analysis".
 QString member_words(const AnalysisEntry& analysis, const QStringList& parts) {
     if (parts.size() < 2) return {};
     const auto at = static_cast<std::size_t>(parts[1].toUInt());
@@ -95,7 +95,7 @@ QString member_words(const AnalysisEntry& analysis, const QStringList& parts) {
     return {};
 }
 
-/// Of a part of an entry: "/setup/quantities/rows/2/value".
+/// Words for a part of an entry: "/setup/quantities/rows/2/value".
 QString part_words(const Project& project, const SetupAddress& address, const std::string& part) {
     QStringList parts = to_qt(part).split('/', Qt::SkipEmptyParts);
     if (parts.isEmpty()) return {};
@@ -113,7 +113,7 @@ QString part_words(const Project& project, const SetupAddress& address, const st
     return field_words(find_schema(project, address), find_setup(project, address), parts);
 }
 
-/// As a link looks.
+/// Data of a cell that takes a remedy: it looks like a link.
 QVariant remedy_data(const Remedy* remedy, int role) {
     if (!remedy) return {};
     if (role == Qt::DisplayRole || role == Qt::ToolTipRole) return to_qt(remedy->words);

@@ -28,14 +28,14 @@ public:
     /// Shows these (of a file that could not be opened) until the document's problems change.
     void show(const Problems& problems);
     int errors() const;
-    /// How many ways out the problems have at most.
+    /// The largest number of remedies that a problem has.
     int remedies() const;
     /// Takes the way out that stands in this cell; as one step that can be undone. False: there is none.
     bool take_remedy(const QModelIndex& index);
 
-    /// Where the path points, in words: "Pose analysis: Base points, row 3".
+    /// Words for the place that the path points to: "Pose analysis: Base points, row 3".
     static QString place_words(const Project& project, const std::string& path);
-    /// What must be given next for an analysis that is not complete ("Quantities, row 3 (l_S), value"), with
+    /// Words for what must be given next in an incomplete analysis ("Quantities, row 3 (l_S), value"), with
     /// the entry where it is that of another; empty: nothing.
     static QString missing_words(const Document& document, const std::string& analysis);
 

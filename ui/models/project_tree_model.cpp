@@ -26,7 +26,7 @@ struct Verdicts {
     int failed = 0, all = 0;
 };
 
-/// Of the requirements as they are now; none where nothing is known.
+/// Verdicts on the requirements as they are now; all 0 where nothing is known.
 Verdicts not_met(const AnalysisEntry& analysis, const AnalysisStatus& status) {
     if (analysis.requirements.empty() || !status.is_current()) return {};
     const std::vector<RequirementResult> verdicts = judge(*status.result, analysis);
@@ -40,7 +40,7 @@ int not_met_in(const Project& project, const SetupAddress& at, AnalysisRunner& r
     return analysis ? not_met(*analysis, runner.status(to_qt(at.id))).failed : 0;
 }
 
-/// What its icons are chosen by.
+/// Data of an analysis by which its icons are chosen.
 QVariant sign_of(const AnalysisEntry& analysis, const AnalysisStatus& status, int role) {
     if (role == state_role) return static_cast<int>(status.state);
     if (role == verdict_role) return ProjectTreeModel::verdict_words(analysis, status);
@@ -50,7 +50,7 @@ QVariant sign_of(const AnalysisEntry& analysis, const AnalysisStatus& status, in
     return all > 0 && failed == 0;
 }
 
-/// As it was typed where it is edited, else told apart from others of that name.
+/// The name as it was typed while it is edited, else told apart from others of that name.
 template <class Entry>
 QString name_for(int role, const Project& project, const Entry& entry, bool of_analysis) {
     return to_qt(role == Qt::EditRole ? entry.name : shown_name(project, entry.id, of_analysis));

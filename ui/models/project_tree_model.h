@@ -28,7 +28,7 @@ public:
     QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
     QVariant headerData(int section, Qt::Orientation orientation, int role = Qt::DisplayRole) const override;
     Qt::ItemFlags flags(const QModelIndex& index) const override;
-    /// Renames.
+    /// Renames the entry of the row.
     bool setData(const QModelIndex& index, const QVariant& value, int role = Qt::EditRole) override;
 
     bool is_category(const QModelIndex& index) const { return index.isValid() && index.internalId() == 0; }
@@ -39,7 +39,7 @@ public:
 
     /// "up to date", "out of date" ...
     static QString words(RunState state);
-    /// Of the requirements as they are now; empty where all that is required is met, or nothing is known.
+    /// Verdict on the requirements as they are now; empty where all of them are met, or nothing is known.
     static QString verdict_words(const AnalysisEntry& analysis, const AnalysisStatus& status);
 
 private:

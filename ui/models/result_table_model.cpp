@@ -1,4 +1,4 @@
-// Which columns and rows of a result are shown.
+// The choice of columns and rows of a result.
 #include "ui/models/result_table_model.h"
 
 #include <algorithm>
@@ -89,7 +89,7 @@ std::vector<std::string> ResultTableModel::keys() const {
     return keys;
 }
 
-/// What decides whether the first order is validated.
+/// Words on the figures that decide whether the first order is validated.
 QString ResultTableModel::deviations(std::size_t row) const {
     const auto said = [&](const char* of) { return to_qt(to_unicode(text_of(of, row))); };
     QString words = tr("Ends of the interval differ by %1 and %2 from those of Monte Carlo; tolerance %3")

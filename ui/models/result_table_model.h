@@ -22,7 +22,7 @@ public:
     /// Shows outputs of one group only; empty: all.
     void set_group(const std::string& group);
     void set_interval(Interval interval);
-    /// Only rows with all the words of `text` in symbol, name or group, and on request only those whose
+    /// Keeps only rows with all the words of `text` in symbol, name or group, and on request only those whose
     /// requirement is not met.
     void set_filter(const QString& text, bool only_not_met);
 

@@ -12,9 +12,9 @@ class SeenTableModel : public ColumnTableModel {
     Q_OBJECT
 public:
     enum Role {
-        /// Of the interval: low end, factor, high end and evidence::Verdict, as a QList<double>.
+        /// Interval of the factor: low end, factor, high end and evidence::Verdict, as a QList<double>.
         interval_role = Qt::UserRole + 40,
-        verdict_role,  ///< of the verdict: evidence::Verdict as int
+        verdict_role,  ///< evidence::Verdict as int
     };
     using ColumnTableModel::ColumnTableModel;
 

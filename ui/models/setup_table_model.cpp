@@ -84,13 +84,13 @@ int SetupTableModel::columnCount(const QModelIndex& parent) const {
 QString SetupTableModel::complaint(const CellPosition& at) const {
     if (const auto found = rejected_.find(at); found != rejected_.end()) return found->second.reason;
     if (const auto found = problems_.find(at); found != problems_.end()) return found->second;
-    // What is wrong with a row as a whole is one cell too: where it begins.
+    // The first cell of a row shows the problem of the row as a whole.
     if (const auto found = problems_.find({at.first, -1}); at.second == 0 && found != problems_.end())
         return found->second;
     return {};
 }
 
-/// What says which quantity it is stays in use, and with it its unit.
+/// Columns that say which quantity a row states stay in use, and its unit with them.
 QString SetupTableModel::taken_words(int row, int column_index) const {
     const auto found = taken_.find(row);
     if (found == taken_.end()) return {};
@@ -278,7 +278,7 @@ bool SetupTableModel::setData(const QModelIndex& index, const QVariant& value, i
     return true;
 }
 
-/// For the list of steps.
+/// Name of a row in the list of steps.
 QString SetupTableModel::name_of_row(int row) const {
     const QString name = row < rowCount() ? index(row, 0).data(Qt::EditRole).toString().trimmed() : QString();
     return name.isEmpty() ? tr("row %1").arg(row + 1) : name;

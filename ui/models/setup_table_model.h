@@ -17,7 +17,7 @@ class SetupTableModel : public SpreadsheetModel {
     Q_OBJECT
 public:
     SetupTableModel(Document& document, SetupAddress address, std::string field, QObject* parent = nullptr);
-    /// With a schema that lives longer than the model, instead of the registered one.
+    /// Takes a schema that lives longer than the model, instead of the registered one.
     SetupTableModel(Document& document, SetupAddress address, const SetupSchema* schema, std::string field,
                     QObject* parent = nullptr);
 
@@ -34,31 +34,31 @@ public:
     void fill_down(const QModelIndexList& cells) override;
     void clear(const QModelIndexList& cells) override;
     void remove_rows_at(const std::set<int>& rows) override;
-    /// What is to stand in a cell, or a text that is refused there.
+    /// A text or number to put into a cell, or a text that is refused there.
     struct TypedCell {
         QString text = {};
         QString refused = {};               ///< why; empty: it is not
-        std::optional<double> number = {};  ///< in the unit of the column, instead of the text
+        std::optional<double> number = {};  ///< the number in the column's unit, instead of the text
     };
     /// Cells of a row by their columns as one undo step, or as a part of that with the same key (not empty),
     /// adding the row if need be. Returns how many could not be understood.
     /// `what`: for the list of steps, beside the name of the row.
     int write_row(int row, const std::map<int, TypedCell>& cells, const QString& merge_key = {},
                   const QString& what = {});
-    /// What typing a value into a row writes, of a table that states quantities: a unit behind the number is
-    /// the row's where it has none yet; else the number is converted.
+    /// The cells to write when a value is typed into a row of a table that states quantities: a unit behind
+    /// the number becomes the row's where it has none yet; else the number is converted.
     std::map<int, TypedCell> cells_of_value(int row, const QString& text) const;
-    /// Its text is kept beside the project because it could not be understood.
+    /// Whether the cell's text could not be understood, and is kept beside the project.
     bool is_refused(int row, int column) const { return rejected_.contains({row, column}); }
-    /// Why what a cell states has no effect: another analysis gives it. Empty: it has.
+    /// Why the statement of a cell has no effect: another analysis gives it. Empty: it has.
     QString taken_words(int row, int column) const;
-    /// The whole table anew, as one undo step.
+    /// Replaces the whole table, as one undo step.
     void replace_table(const SetupTable& table, const QString& text);
 
     const FieldSpec* field() const;
     const SetupTable& table() const { return table_; }
     Unit unit(int column) const { return table_.units[static_cast<std::size_t>(column)]; }
-    /// Numbers stay the same quantities. Ignored for a unit of another dimension.
+    /// Changes the unit of a column; numbers stay the same quantities. Ignored for another dimension.
     void set_unit(int column, const Unit& unit);
 
     bool is_linked() const override { return !table_.csv_file.empty(); }
@@ -73,7 +73,7 @@ private:
     struct Rejected {
         QString text;
         QString reason;               ///< empty: the cell was understood
-        std::string instead_of = {};  ///< what the project has there
+        std::string instead_of = {};  ///< the project's cell when it was typed
         bool operator==(const Rejected&) const = default;
     };
     using Marks = std::map<CellPosition, Rejected>;
@@ -109,7 +109,7 @@ private:
     SetupTable table_;
     std::vector<std::vector<int>> decimals_;  ///< shared ones, by column and row
     Marks rejected_;
-    UnreadTexts::Texts seen_;  ///< of the document, when they were the same as `rejected_`
+    UnreadTexts::Texts seen_;  ///< the document's texts when `rejected_` was last compared with them
     std::map<CellPosition, QString> problems_;
     std::map<int, QString> taken_;  ///< rows that a link of the analysis replaces, with its words
 };

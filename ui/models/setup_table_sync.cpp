@@ -1,4 +1,4 @@
-// How a SetupTableModel follows the document: the smallest change of rows, and problems at their cells.
+// The way a SetupTableModel follows the document: the smallest change of rows, and problems at their cells.
 #include <algorithm>
 #include <charconv>
 #include <string_view>
@@ -106,13 +106,13 @@ void SetupTableModel::shift_rejected(int row, int count) {
     rejected_ = std::move(shifted);
 }
 
-/// What the project has in a cell.
+/// Text of the project's cell, by which a change of it is recognised.
 std::string SetupTableModel::written(const CellPosition& at) const {
     const auto row = static_cast<std::size_t>(at.first), cell = static_cast<std::size_t>(at.second);
     return to_std(cell_text(column(at.second), table_.rows[row][cell], QLocale::c()));
 }
 
-/// In the document, where texts outlive this view of them.
+/// Keeps the refused texts in the document, where they outlive this view of them.
 void SetupTableModel::remember_rejected() {
     UnreadTexts::Texts texts;
     for (const auto& [at, mark] : rejected_) texts[place_of(at)] = {mark.text, mark.reason, mark.instead_of};
@@ -120,7 +120,7 @@ void SetupTableModel::remember_rejected() {
     seen_ = kept_texts();
 }
 
-/// Of a cell, among the texts that cannot be read.
+/// Place of a cell among the texts that cannot be read.
 TextPlace SetupTableModel::place_of(const CellPosition& at) const {
     return {address_,
             "/setup/" + field_ + "/rows/" + std::to_string(at.first) + "/" + std::to_string(at.second)};
@@ -130,7 +130,7 @@ UnreadTexts::Texts SetupTableModel::kept_texts() const {
     return document_.unread().under(address_, "/setup/" + field_ + "/rows/");
 }
 
-/// What another view of the same table has added, moved or taken back.
+/// Takes over refused texts that another view of the same table has added, moved or taken back.
 void SetupTableModel::recall_rejected() {
     if (!field() || read() != table_) return;  // it comes with the refresh
     seen_ = kept_texts();
@@ -167,7 +167,7 @@ void SetupTableModel::refresh_problems() {
     }
 }
 
-/// Which quantities the rows state is known once the project is made.
+/// Marks the rows that links replace; which quantities rows state is known once the project is made.
 void SetupTableModel::refresh_taken() {
     std::map<int, QString> taken;
     const auto& made = document_.maker().made();

@@ -82,7 +82,7 @@ const BudgetComponent* SheetFigures::component(std::size_t row) const {
     return known ? &result_->budget.components[*components_[row]] : nullptr;
 }
 
-/// A row for each row of the sheet that states a component. What is stated stays in the row's unit.
+/// Makes a row for each row of the sheet that states a component. Stated figures stay in the row's unit.
 void SheetFigures::make_table() {
     using Scale = Measured::Scale;
     table_ = {"sheet", "", components_.size()};
@@ -118,8 +118,8 @@ void SheetFigures::make_table() {
     }
 }
 
-/// By the same prefix above and below the line: what is added up has c = 1. Else in the usual unit of the
-/// result in which it has one to three digits before the point, per unit of the row: "-575 nm/K".
+/// Sensitivity in the same prefix above and below the line: terms of a sum have c = 1. Else in the unit of
+/// the result in which it has one to three digits before the point, per unit of the row: "-575 nm/K".
 Cell SheetFigures::sensitivity(std::size_t row, const BudgetComponent& component) const {
     if (!lines_[row]) return std::string("0");
     const Unit& of_result = units_.of(result_->outputs[output_].quantity.unit);
@@ -137,7 +137,7 @@ DisplayUnits SheetFigures::units_of_contributions() const {
     return units;
 }
 
-/// What is said of a component that the result does not depend on, to first order.
+/// Cell of a component that the result does not depend on, to first order.
 Cell SheetFigures::without_influence(std::string_view key, const BudgetComponent& component) const {
     if (key == "type") return std::string(component.type == EvaluationType::type_a ? "A" : "B");
     if (key == "degrees of freedom") return Measured{component.degrees_of_freedom};

@@ -1,4 +1,4 @@
-// What a result says about the rows of a budget sheet: a table with a row for each of them.
+// The figures of a result for the rows of a budget sheet: a table with a row for each of them.
 #pragma once
 
 #include <functional>
@@ -28,15 +28,15 @@ public:
     /// Finds the component that each row of the set-up's table `key` states; of a chain of analyses only
     /// those of this one's set-up. Null: there is no result.
     void follow(std::shared_ptr<const UncertaintyResult> result, std::size_t output, const std::string& key);
-    /// What was computed for the rows goes with them: so many are inserted, or (below zero) removed.
+    /// Moves computed figures with their rows: so many are inserted at `first`, or (below zero) removed.
     void move(int first, int count);
-    /// Units of results, in which sensitivity coefficients are.
+    /// Sets the units of results, in which sensitivity coefficients are.
     void set_units(const DisplayUnits& units) { units_ = units; }
-    /// Null: the row states none.
+    /// The component that the row states; null: none.
     const BudgetComponent* component(std::size_t row) const;
-    /// That in which the standard uncertainty of the result is read best; of a result.
+    /// The unit in which the standard uncertainty of the result is read best. There must be a result.
     DisplayUnits units_of_contributions() const;
-    /// Its columns have the keys of the budget's. What is stated stays in the row's unit.
+    /// A table with the keys of the budget's columns. Stated figures stay in the row's unit.
     const Table& table() const { return table_; }
 
 private:
@@ -48,9 +48,9 @@ private:
     std::shared_ptr<const UncertaintyResult> result_;
     std::size_t output_ = 0;
     DisplayUnits units_;
-    Table budget_;                                        ///< of the output, a line for each row there
-    std::vector<std::optional<std::size_t>> lines_;       ///< of `budget_`, for each row of the sheet
-    std::vector<std::optional<std::size_t>> components_;  ///< of the result, for each row of the sheet
+    Table budget_;                                        ///< the output's budget
+    std::vector<std::optional<std::size_t>> lines_;       ///< line in `budget_`, for each row of the sheet
+    std::vector<std::optional<std::size_t>> components_;  ///< index in the result, for each row of the sheet
     Table table_;
 };
 

@@ -1,4 +1,4 @@
-// Of what a figure in % or ppm is: of the value, or absolute.
+// The reference of a figure in % or ppm: a part of the value, or absolute.
 #pragma once
 
 #include <QString>

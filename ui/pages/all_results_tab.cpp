@@ -57,7 +57,7 @@ void AllResultsTab::showEvent(QShowEvent* event) {
     refresh();
 }
 
-/// What nobody looks at is not put together.
+/// Fills the table anew, but only while it is looked at.
 void AllResultsTab::refresh() {
     if (!isVisible()) return;
     std::vector<ShownAnalysis> shown;

@@ -19,7 +19,7 @@ bool is_larger(const OutputResult& a, const OutputResult& b) {
            (std::isnan(a.expanded_uncertainty) && !std::isnan(b.expanded_uncertainty));
 }
 
-/// Of outputs of one dimension the one with the largest U, in order of the dimensions.
+/// The output with the largest U of each dimension, in order of the dimensions.
 std::vector<std::size_t> worst_of_each_kind(const UncertaintyResult& result,
                                             const std::vector<std::size_t>& outputs) {
     std::vector<std::size_t> worst;

@@ -1,5 +1,5 @@
-// What an analysis says in one line, for the strip above the stage and for the clipboard: the statements of
-// certificates, chosen and never rounded anew.
+// The result of an analysis in one line, for the strip above the stage and for the clipboard: the statements
+// of certificates, chosen and never rounded anew.
 #pragma once
 
 #include <string>
@@ -15,12 +15,12 @@ namespace covaria::ui {
 struct Answer {
     Text value;  ///< "L = (50.000 78 ± 0.000 41) mm"; of a group "U = 0.051 mm (y)", of each kind its largest
     Text coverage;                     ///< "k = 2.00, p = 95 %"
-    std::vector<std::size_t> outputs;  ///< that it is about
-    std::string statements;            ///< of all of them, a line each
+    std::vector<std::size_t> outputs;  ///< the answer is about these
+    std::string statements;            ///< one line for each of them
 };
 
-/// Where outputs belong to groups (points, poses) their largest uncertainties are the answer, else the output
-/// that is looked at. `output`: index into the result's.
+/// Answer of an analysis: the largest uncertainties of the group of `output` (a point, a pose), else that
+/// output itself. `output`: index into the result's.
 Answer answer_of(const UncertaintyResult& result, std::size_t output, const DocumentLanguage& in,
                  const DisplayUnits& units, int digits);
 
@@ -28,7 +28,7 @@ struct VerdictWords {
     bool met = true;
     Text words;  ///< empty: nothing is required
 };
-/// Of the requirements on outputs that the answer is about: "not met: y, z".
+/// Verdict of the requirements on outputs that the answer is about: "not met: y, z".
 VerdictWords verdict_words(const UncertaintyResult& result, const Answer& answer,
                            const std::vector<RequirementResult>& verdicts);
 

@@ -33,7 +33,7 @@ namespace {
 
 constexpr int side_room = 16, top_room = 12, part_room = 14;  // px
 
-/// In the analysis, or else in what it uses.
+/// The first error in the analysis, else the first one in the project.
 std::optional<Problem> first_error(const Document& document, const std::string& analysis) {
     const SetupAddress entry{SetupOwner::analysis, analysis};
     if (!exists(document.project(), entry)) return std::nullopt;

@@ -29,23 +29,23 @@ public:
 
     void set_units(const DisplayUnits& units);
     void set_digits(int digits);  ///< significant ones of U
-    /// Result, state, requirements or selection are others.
+    /// Follows the result, state, requirements or selection, one of which is another.
     void take_result();
 
-    /// The output that is looked at, of those in view.
+    /// The choice of the output looked at, among those in view.
     TypesetComboBox& outputs() { return *outputs_; }
-    /// The one next step of an analysis that is not complete.
+    /// The button for the next step of an analysis that is not complete.
     QPushButton& next_step() { return *next_; }
     QToolButton& copy_button() { return *copy_; }
     const TypesetLabel& value() const { return *value_; }
     const TypesetLabel& coverage() const { return *coverage_; }
     const Chip& verdict() const { return *verdict_; }
     const QLabel& state() const { return *state_; }
-    /// What the button copies.
+    /// Text that the button copies.
     QString statements() const;
 
 signals:
-    /// A JSON pointer into the project.
+    /// A place in the project is wanted: a JSON pointer into it.
     void place_wanted(const QString& path);
 
 protected:
@@ -68,7 +68,7 @@ private:
     DisplayUnits units_;
     int digits_ = 2;
     Answer answer_;
-    QString progress_;  ///< of its run
+    QString progress_;  ///< how far the analysis' run is
     TypesetLabel* value_;
     TypesetLabel* coverage_;
     Chip* verdict_;

@@ -1,4 +1,4 @@
-// What an asset's own evaluation says: its budget and observations, as tables and charts.
+// An asset's own evaluation: its budget and observations, as tables and charts.
 #pragma once
 
 #include "ui/document/document.h"

@@ -26,7 +26,7 @@ namespace covaria::ui {
 
 namespace {
 
-constexpr std::size_t most_lines = 6;  // of results that are named
+constexpr std::size_t most_lines = 6;  // results named in a remark
 
 const FieldSpec* stating_table(const Project& project, const SetupAddress& address) {
     const SetupSchema* schema = find_schema(project, address);
@@ -115,7 +115,7 @@ void BudgetPage::show_analysis() {
     take_result();
 }
 
-/// What is moved in the order leaves behind what it led to.
+/// Sets the tab order from `before` on anew: a widget moved in it leaves its old successors behind.
 void BudgetPage::follow_in_tab_order(QWidget& before) {
     if (!view_) return;
     setTabOrder(&before, view_);
@@ -165,7 +165,7 @@ std::set<int> BudgetPage::selected_rows() const {
     return rows;
 }
 
-/// What is typed takes the place of what stands there, also after a click.
+/// Selects the text of the coefficient on focus, so that typing replaces it, also after a click.
 bool BudgetPage::eventFilter(QObject* watched, QEvent* event) {
     if (watched == correlation_ && event->type() == QEvent::FocusIn)
         QMetaObject::invokeMethod(correlation_, &QLineEdit::selectAll, Qt::QueuedConnection);
@@ -223,7 +223,7 @@ void BudgetPage::take_correlation() {
     mark_correlation(cell);
 }
 
-/// Without two rows it says what to do.
+/// Gives the keyboard to the coefficient; without two rows selected a tooltip says what to do.
 void BudgetPage::ask_for_correlation() {
     if (correlation_->isEnabled())
         correlation_->setFocus();
@@ -233,7 +233,7 @@ void BudgetPage::ask_for_correlation() {
 }
 
 QString BudgetPage::correlation_words(const PreparedAnalysis& analysis) const {
-    std::map<std::string, QString> symbols;  // by component
+    std::map<std::string, QString> symbols;  // by id of the component
     for (int row = 0; row < model_->rowCount(); ++row)
         if (const std::string id = model_->component_of(row); !id.empty())
             symbols[id] = to_qt(to_html(symbol_text(model_->symbol_of(row))));
@@ -255,7 +255,7 @@ QString BudgetPage::correlation_words(const PreparedAnalysis& analysis) const {
     return words.join(QStringLiteral("; "));
 }
 
-/// For which of the results the columns of the law of propagation are about another u: "63 % (Y₁)".
+/// Results for which the columns of the law of propagation are about another u: "63 % (Y₁)".
 QString BudgetPage::first_order_words(const UncertaintyResult& result) const {
     QStringList parts;
     for (const OutputResult& output : result.outputs) {

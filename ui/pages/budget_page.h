@@ -19,7 +19,7 @@ namespace covaria::ui {
 
 class BudgetSheetView;
 
-/// Of the analysis being looked at; hidden where its set-up has no table that states quantities.
+/// Budget sheet of the analysis looked at; hidden where its set-up has no table that states quantities.
 class BudgetPage : public QWidget {
     Q_OBJECT
 public:
@@ -28,13 +28,13 @@ public:
     /// Null: the analysis states its quantities otherwise.
     BudgetSheetView* view() const { return view_; }
     BudgetSheetModel* model() const { return model_.get(); }
-    /// What is correlated, and how far the law of propagation holds.
+    /// Tells the correlations, and how far the law of propagation holds.
     QLabel& remark() const { return *remark_; }
     /// The correlation coefficient of the components of the two rows that are selected.
     QLineEdit& correlation() const { return *correlation_; }
     /// Tab comes from `before` to the table, and from it to the correlation coefficient.
     void follow_in_tab_order(QWidget& before);
-    /// Another project.
+    /// Begins anew with another project.
     void start_over();
 
     void set_units(const DisplayUnits& units);
@@ -54,7 +54,7 @@ private:
     QString first_order_words(const UncertaintyResult& result) const;
     /// "r(d, theta) = 0.5" of every two rows that are correlated; empty: none are.
     QString correlation_words(const PreparedAnalysis& analysis) const;
-    /// Of the correlations, the cell of the two rows selected; invalid: none.
+    /// Cell of the correlation matrix for the two selected rows; invalid: there is none.
     QModelIndex selected_pair();
     std::set<int> selected_rows() const;
     void show_correlation();

@@ -27,7 +27,7 @@
 namespace covaria::ui {
 namespace {
 
-/// How the result came about.
+/// Words on how the kept result came about.
 QString words_of(const KeptResult& kept) {
     if (!kept.trouble.isEmpty()) return kept.trouble;
     if (!kept.result) return CompareTab::tr("results that are computed again once the analysis has run");
@@ -37,7 +37,7 @@ QString words_of(const KeptResult& kept) {
     return result_words(status);
 }
 
-/// With the day, if that was another one.
+/// Time at which results were kept, with the day if that is not today.
 QString time_of(const KeptResult& kept) {
     const QDateTime at = kept.at();
     if (!at.isValid()) return to_qt(kept.state.at);
@@ -83,7 +83,7 @@ void CompareTab::make_actions() {
         made->setToolTip(tip);
         return made;
     };
-    keep_ = action({}, "keep_before", {});  // as `update_actions` says it
+    keep_ = action({}, "keep_before", {});  // `update_actions` gives its words
     go_back_ = action(tr("Go Back to Kept State"), "go_back",
                       tr("Makes the analysis, and what it uses, what they were when the results were kept, "
                          "and the coverage factor of the project; can be undone"));
@@ -219,7 +219,7 @@ void CompareTab::compare_with(const Project& project, const std::string& other, 
     emit message(tr("The tab Compare shows %1 as before.").arg(name));
 }
 
-/// One edit: what is evaluated, as it was.
+/// Goes back in one edit: everything evaluated becomes what it was.
 void CompareTab::go_back() {
     finish_typing();
     if (const KeptResult* kept = kept_.find(selection_.analysis()))
@@ -273,7 +273,7 @@ void CompareTab::showEvent(QShowEvent* event) {
     refresh();
 }
 
-/// What nobody looks at is not compared.
+/// Compares anew, but only while the comparison is looked at.
 void CompareTab::refresh() {
     update_actions();
     state_->setText(state_words());

@@ -25,7 +25,7 @@ class CompareTab : public QWidget {
 public:
     CompareTab(Document& document, AnalysisRunner& runner, Selection& selection, QWidget* parent = nullptr);
 
-    /// Keep, compare with, go back, discard.
+    /// Adds the actions: keep, compare with, go back, discard.
     void add_to(QMenu& menu);
     QString state_words() const;
     SortableTable& results() { return *results_; }
@@ -35,8 +35,8 @@ public:
     void set_units(const DisplayUnits& units);
     void set_digits(int digits);
     const KeptStates& kept() const { return kept_; }
-    /// Another analysis stands in the place of what was kept: one of this project, or one of a file, which is
-    /// asked for where that has several.
+    /// The menu of analyses to put in place of the kept results: one of this project, or one of a file,
+    /// which is asked for where that has several.
     QMenu& others() { return *others_; }
     /// Dialogs, replaceable in tests; an empty text: none was chosen.
     std::function<QString()> ask_for_file;
@@ -63,7 +63,7 @@ private:
     void compare_with(const Project& project, const std::string& other, const QString& name);
     void go_back();
     bool can_go_back() const;
-    /// Index among the outputs compared of the one that is selected.
+    /// Index, among the outputs compared, of the one that is selected.
     std::optional<std::size_t> selected() const;
 
     Document& document_;

@@ -16,7 +16,7 @@ QString element(const char* tag, bool is_numeric, const QString& content) {
         .arg(QLatin1String(tag), QLatin1String(is_numeric ? "right" : "left"), content);
 }
 
-/// As in a report, in the user's numbers. The narrow space between groups would be read as one to break at.
+/// A text in the user's numbers. HTML breaks lines at the narrow space between groups of digits, so it goes.
 QString shown(const Text& text) {
     return to_qt(to_html(text)).replace(QChar(0x202f), QChar(QChar::Nbsp));
 }

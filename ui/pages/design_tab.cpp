@@ -187,7 +187,7 @@ QString DesignTab::state_words() const {
     return now.is_current() ? words : tr("<b>Out of date</b>: shown for the project as it was. ") + words;
 }
 
-/// One edit, made of the state that is looked at.
+/// Takes the design over in one edit, made of the state that is looked at.
 void DesignTab::take_over_design() {
     finish_typing();
     const DesignStatus now = status();

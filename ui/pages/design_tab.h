@@ -1,4 +1,4 @@
-// What a design has found: tables, charts, and the edit that puts it into the project.
+// Findings of a design: tables, charts, and the edit that puts them into the project.
 #pragma once
 
 #include <QLabel>
@@ -24,7 +24,7 @@ public:
 
     EvaluationView& view() { return *view_; }
     QString state_words() const;
-    /// What is shown; null before it was searched.
+    /// The result shown; null before the design was searched.
     const DesignPointer& result() const { return shown_; }
     bool is_current() const { return current_; }
 

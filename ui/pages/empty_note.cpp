@@ -20,7 +20,7 @@ void EmptyNote::changeEvent(QEvent* event) {
     if (event->type() == QEvent::PaletteChange) take_theme();
 }
 
-/// As the text of an empty chart.
+/// Takes the quiet colour that texts of empty charts have, too.
 void EmptyNote::take_theme() {
     const QColor quiet = Theme::of(palette()).tokens().ink2;
     if (palette().color(QPalette::WindowText) == quiet) return;

@@ -1,4 +1,4 @@
-// What an empty tab says: quiet, in its middle, with the next step.
+// Quiet text in the middle of an empty tab: why it is empty, and the next step.
 #pragma once
 
 #include <QLabel>

@@ -15,7 +15,7 @@ public:
     QTreeView& models() { return *models_; }
 
 signals:
-    /// By its id.
+    /// An analysis by the model with this id is to be added.
     void analysis_wanted(const std::string& model);
     void library_wanted();
 

@@ -85,7 +85,7 @@ QString state_icon(RunState state) {
     return QStringLiteral("state-out-of-date");
 }
 
-/// In the tree: the project, a category, or an entry. What is listed elsewhere is an entry.
+/// Level of a row of the tree: project, category or entry. Rows of other lists are entries.
 EntryDelegate::Level EntryDelegate::level_of(const QModelIndex& index) {
     if (index.parent().isValid() || index.data(severity_role).isValid()) return Level::entry;
     return index.data(category_role).toInt() == ProjectTreeModel::project_row ? Level::project

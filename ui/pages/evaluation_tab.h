@@ -1,4 +1,4 @@
-// What a model says about its set-up beside the results: residuals, redundancy, fits ... as tables
+// Evaluation of a model's set-up beside the results: residuals, redundancy, fits ... as tables
 // and charts.
 #pragma once
 
@@ -9,7 +9,7 @@
 
 namespace covaria::ui {
 
-/// Of the analysis being looked at; evaluated in a worker thread. Models that have nothing to say need no
+/// Shows the evaluation of the analysis looked at, computed in a worker thread. Models that have none need no
 /// tab.
 class EvaluationTab : public EvaluationView {
     Q_OBJECT
@@ -17,7 +17,7 @@ public:
     EvaluationTab(AnalysisRunner& runner, Selection& selection, QWidget* parent = nullptr);
 
 signals:
-    /// Whether there is anything to show.
+    /// Tells whether there is anything to show.
     void filled(bool any);
 
 private:

@@ -13,7 +13,7 @@ namespace covaria::ui {
 
 class ChartView;
 
-/// Without charts the tables have the whole room.
+/// Tables of an evaluation and its charts; without charts the tables have the whole room.
 class EvaluationView : public QWidget {
     Q_OBJECT
 public:

@@ -9,7 +9,7 @@ namespace covaria::ui {
 class ExampleCard : public QAbstractButton {
     Q_OBJECT
 public:
-    /// Without a picture file a quiet drawing in the window's colours stands in.
+    /// `picture`: a file; where there is none, a quiet drawing in the window's colours stands in.
     ExampleCard(const QString& title, const QString& summary, const QString& picture,
                 QWidget* parent = nullptr);
     QSize sizeHint() const override;

@@ -1,4 +1,4 @@
-// What the field with the focus means: a few lines under the forms.
+// Meaning of the field with the focus: a few lines under the forms.
 #pragma once
 
 #include <QLabel>
@@ -12,11 +12,11 @@ class FieldHelp : public QLabel {
 public:
     explicit FieldHelp(QWidget& area);
 
-    /// Nothing is looked at any more: what to know about fields in general.
+    /// Says what to know about fields in general: no field is looked at any more.
     void start_over(bool has_numbers = true);
 
 protected:
-    /// What is said follows the field: a complaint goes when it is solved.
+    /// Follows the field's tooltip, so that a complaint goes when it is solved.
     bool eventFilter(QObject* watched, QEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
 

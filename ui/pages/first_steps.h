@@ -5,7 +5,7 @@
 
 namespace covaria::ui {
 
-/// What can be seen of the steps from the project and the window.
+/// Steps that are taken, as far as project and window show it.
 struct StepsTaken {
     bool has_budget = false;  ///< an analysis into which a budget is typed
     bool has_quantity = false;
@@ -21,13 +21,13 @@ struct StepsTaken {
 
 struct FirstStep {
     const char* title;       ///< English; `tr` in covaria::ui translates it
-    const char* text;        ///< likewise, two sentences
+    const char* text;        ///< English likewise; two sentences
     const char* target;      ///< name of the widget that is meant
-    const char* focus;       ///< of the one that gets the focus; null: the target itself
-    bool StepsTaken::*done;  ///< that it was done
+    const char* focus;       ///< name of the widget that gets the focus; null: the target itself
+    bool StepsTaken::*done;  ///< the fact that says the step is done
 };
 
-/// In their order. resources/help/first-steps.md has the same words.
+/// The steps in their order. resources/help/first-steps.md has the same words.
 const std::array<FirstStep, 10>& first_steps();
 
 }  // namespace covaria::ui

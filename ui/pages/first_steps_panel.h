@@ -20,7 +20,7 @@ public:
     void go_to(int step);
     void set_done(int step, bool done);
     bool is_done(int step) const { return done_[std::size_t(step)]; }
-    /// Under the text: why something cannot be shown yet.
+    /// Writes under the text why something cannot be shown yet.
     void set_remark(const QString& words);
 
 signals:

@@ -1,4 +1,4 @@
-// What the heads of an analysis' groups say of them.
+// Summaries of an analysis' groups, shown in their heads.
 #pragma once
 
 #include "core/project/project.h"
@@ -8,7 +8,7 @@ namespace covaria::ui {
 
 class FoldGroups;
 
-/// In their order in the inspector.
+/// Groups in their order in the inspector.
 enum AnalysisGroup {
     setup_group,
     inputs_group,
@@ -19,7 +19,7 @@ enum AnalysisGroup {
     notes_group
 };
 
-/// Each head answers what is in its group.
+/// Writes into each head what is in its group.
 void summarise_groups(FoldGroups& groups, const AnalysisEntry& analysis, const AnalysisStatus& status);
 
 }  // namespace covaria::ui

@@ -17,14 +17,14 @@ class HelpPane : public QWidget {
 public:
     explicit HelpPane(QWidget* parent = nullptr);
 
-    /// A page by its id, or a place on one ("model-equation-field-quantities"); false: there is no such page.
+    /// Shows a page by its id, or a place on one ("model-equation-field-quantities"); false: there is none.
     bool show_place(const QString& anchor);
     bool has_place(const QString& anchor);
-    /// Words that are no page of their own.
+    /// Shows words that are no page of their own.
     void show_words(const QString& title, const QString& markdown);
 
     const QString& place() const { return place_; }
-    /// The heading or field that is shown, in words.
+    /// Words of the heading or field that is shown.
     QString words_at_place() const;
     QTextBrowser& browser() { return *browser_; }
     const std::vector<HelpPage>& pages();

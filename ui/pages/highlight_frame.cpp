@@ -13,7 +13,7 @@
 namespace covaria::ui {
 namespace {
 
-constexpr int outside = 4;  // of the target, where there is room
+constexpr int outside = 4;  // distance from the target, where there is room
 constexpr double line = 3.0;
 
 template <class Pages>
@@ -68,7 +68,7 @@ bool HighlightFrame::eventFilter(QObject*, QEvent* event) {
         case QEvent::Show:
         case QEvent::Hide:
         case QEvent::LayoutRequest:
-            // When all of it has happened.
+            // Queued: until all parts of the change have happened.
             QMetaObject::invokeMethod(this, &HighlightFrame::follow, Qt::QueuedConnection);
             break;
         default:

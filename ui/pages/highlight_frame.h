@@ -13,7 +13,7 @@ class HighlightFrame : public QWidget {
 public:
     explicit HighlightFrame(QWidget* parent);
 
-    /// Null: none.
+    /// Null: the frame surrounds nothing.
     void surround(QWidget* target);
     QWidget* target() const { return target_; }
 

@@ -104,7 +104,7 @@ void InputsPage::make_table() {
     connect(table_, &QWidget::customContextMenuRequested, this, &InputsPage::show_menu);
 }
 
-/// The room that is left; where that is less than its head they stand below the table only.
+/// Gives the column of components the room that the others leave; less than its head: they stand below only.
 void InputsPage::fit_components() {
     QHeaderView& head = *table_->horizontalHeader();
     constexpr int column = InputQuantitiesModel::components_column;
@@ -117,7 +117,7 @@ void InputsPage::fit_components() {
     if (room >= least) head.resizeSection(column, room);
 }
 
-/// Of few quantities the table shows all; more are scrolled.
+/// Makes the table as high as its quantities if they are few; more are scrolled.
 void InputsPage::fit_height() {
     constexpr int fewest = 3, most = 10;
     const int rows = std::clamp(model_.rowCount(), fewest, most);

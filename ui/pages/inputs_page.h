@@ -27,12 +27,12 @@ class InputsPage : public QWidget {
 public:
     InputsPage(Document& document, AnalysisRunner& runner, std::string analysis, QWidget* parent = nullptr);
 
-    /// The quantity whose page is seen; the keyboard stays where it is.
+    /// Shows the page of a quantity; the keyboard stays where it is.
     void show_quantity_of(const std::string& symbol);
-    /// "/analyses/0/inputs/3/...": selects the quantity of that edit. False if the pointer names none.
+    /// Selects the quantity of an edit: "/analyses/0/inputs/3/...". False if the pointer names none.
     bool focus_field(const std::string& path);
     QTableView& table() { return *table_; }
-    /// Results of other analyses that the quantity could be; of those that are prepared.
+    /// Results of other analyses, of those that are prepared, that the quantity could take its value from.
     std::vector<LinkChoice> link_choices(const std::string& symbol) const;
 
 protected:

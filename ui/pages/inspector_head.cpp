@@ -15,7 +15,7 @@
 namespace covaria::ui {
 namespace {
 
-/// Those that stand in the tree, as far as they can be stepped through.
+/// Entries of the tree in its order, to step through.
 std::vector<SetupAddress> entries_of(const Project& project) {
     std::vector<SetupAddress> all{project_address};
     for (const AssetEntry& asset : project.assets) all.push_back({SetupOwner::asset, asset.id});

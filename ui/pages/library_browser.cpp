@@ -150,7 +150,7 @@ void LibraryBrowser::fill() {
     add_examples("gum", tr("GUM and its supplements"));
     add_assets();
     for (Entry& entry : entries_) {
-        // Beside the English words those that are shown: both are looked for.
+        // A search looks for the words shown beside the English ones.
         for (const QString& shown : {entry.title, entry.collection, entry.summary})
             entry.texts.push_back(to_std(shown));
         for (std::string& text : entry.texts) text = without_case(to_qt(text));
@@ -266,7 +266,7 @@ void LibraryBrowser::refresh_details() {
 void LibraryBrowser::take() {
     const Entry* entry = current();
     if (!entry) return;
-    const Entry taken = *entry;  // what follows may fill the lists anew
+    const Entry taken = *entry;  // a copy: a receiver may fill the lists anew
     if (!taken.example.isEmpty()) {
         accept();
         emit example_wanted(taken.example);

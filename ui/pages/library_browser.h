@@ -35,7 +35,7 @@ public:
     static QString examples_title();
 
 signals:
-    /// Opens as a new project.
+    /// The example is wanted as a new project.
     void example_wanted(const QString& file);
     void template_wanted(const covaria::AnalysisTemplate& wanted);
     void asset_wanted(const covaria::AssetEntry& asset);
@@ -46,10 +46,10 @@ protected:
 private:
     struct Entry {
         QString title, collection, summary, notes, picture, icon;
-        QString example = {};                        ///< its file
-        const AnalysisTemplate* analysis = nullptr;  ///< of a template
+        QString example = {};                        ///< path of its file
+        const AnalysisTemplate* analysis = nullptr;  ///< the template it stands for
         std::optional<AssetEntry> asset = {};
-        std::vector<std::string> texts = {};  ///< that a search looks at: shown ones and English ones, folded
+        std::vector<std::string> texts = {};  ///< searched ones: shown and English, folded
     };
     void add_templates();
     void add_examples(const std::string& subfolder, const QString& collection);

@@ -12,7 +12,7 @@ struct LibraryItem;
 
 namespace covaria::ui {
 
-/// In the language of the window; as its owner called it if it is the user's own.
+/// Title in the language of the window; the user's own collections keep the name that the user gave.
 QString collection_title(const LibraryItem& item);
 
 /// Reads the library whenever it opens, so that new files appear. A chosen asset is copied into the project

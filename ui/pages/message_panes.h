@@ -16,9 +16,9 @@ public:
     ProblemsModel& problems() { return model_; }
 
 signals:
-    /// JSON pointer into the project.
+    /// A place in the project is wanted: a JSON pointer into it.
     void place_wanted(const QString& path);
-    /// A way out cannot be taken: why.
+    /// Tells why a way out cannot be taken.
     void refused(const QString& why);
 
 protected:

@@ -1,4 +1,4 @@
-// Above the pages of a report: "3 of 17" with previous and next, and how large they are shown.
+// The bar above the pages of a report: "3 of 17" with previous and next, and how large they are shown.
 #pragma once
 
 #include <QWidget>
@@ -11,13 +11,13 @@ namespace covaria::ui {
 
 class PageView;
 
-/// Its actions have keys that work while `owner` or what is in it has the focus.
+/// A bar whose actions have keys that work while `owner` or a widget in it has the focus.
 class PageBar : public QWidget {
     Q_OBJECT
 public:
     PageBar(PageView& view, QWidget& owner);
 
-    /// The view has other pages.
+    /// Follows a view that has other pages.
     void take_pages();
 
 private:

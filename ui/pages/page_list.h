@@ -15,7 +15,7 @@ public:
     explicit PageList(QWidget* parent = nullptr);
 
     void set_pages(const std::vector<PrintedPage>& pages, const std::vector<QImage>& pictures);
-    /// Shows which page is looked at; says nothing of it.
+    /// Marks the page that is looked at, without a signal.
     void show_page(int page);
     QSize sizeHint() const override;
 

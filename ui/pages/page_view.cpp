@@ -10,7 +10,7 @@
 namespace covaria::ui {
 namespace {
 
-constexpr double screen_dots_per_inch = 96.0;  // of the unit of widgets, at a factor of 1
+constexpr double screen_dots_per_inch = 96.0;  // units of widgets per inch, at a factor of 1
 constexpr int page_gap = 16;
 constexpr int page_margin = 12;
 constexpr double least_scale = 0.1;
@@ -56,7 +56,7 @@ QSizeF PageView::page_size(int page) const {
     return pages_[std::size_t(page)].inches * screen_dots_per_inch * scale();
 }
 
-/// From the top of the first page's margin.
+/// Distance of a page from the top of the first page's margin.
 int PageView::top_of(int page) const {
     double top = page_margin;
     for (int above = 0; above < page; ++above) top += page_size(above).height() + page_gap;
@@ -122,7 +122,7 @@ void PageView::step_zoom(int direction) {
     set_zoom({PageZoom::Fit::none, wanted});
 }
 
-/// The page with the most of it in view.
+/// Makes the page with the most of it in view the current one.
 void PageView::take_current_page() {
     int best = pages_.empty() ? -1 : 0, most = -1;
     for (int page = 0; page < page_count(); ++page) {
@@ -138,7 +138,7 @@ void PageView::take_current_page() {
     emit current_page_changed(current_);
 }
 
-/// The page as large as it is seen; those out of view are forgotten.
+/// Picture of a page as large as it is seen; those out of view are forgotten.
 const QImage& PageView::sharp(int page) {
     const double dots = screen_dots_per_inch * scale() * devicePixelRatioF();
     if (dots != shown_scale_) shown_.clear();
@@ -180,7 +180,7 @@ void PageView::wheelEvent(QWheelEvent* event) {
     event->accept();
 }
 
-/// What a scroll area leaves to its bars: the ends, and the space bar of readers.
+/// Adds to the keys of a scroll area Home and End, and the space bar as in readers.
 void PageView::keyPressEvent(QKeyEvent* event) {
     QScrollBar* bar = verticalScrollBar();
     switch (event->key()) {

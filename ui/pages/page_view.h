@@ -10,12 +10,12 @@
 
 namespace covaria::ui {
 
-/// How large pages are shown: fitted to the room there is, or by a factor (1: an inch of paper is an inch of
+/// Size of the pages shown: fitted to the room there is, or by a factor (1: an inch of paper is an inch of
 /// the screen).
 struct PageZoom {
     enum class Fit { width, page, none };
     Fit fit = Fit::width;
-    double factor = 1.0;  ///< where nothing is fitted
+    double factor = 1.0;  ///< applies where nothing is fitted
 
     bool operator==(const PageZoom&) const = default;
 };
@@ -28,17 +28,17 @@ public:
 
     void set_pages(std::vector<PrintedPage> pages);
     int page_count() const { return int(pages_.size()); }
-    /// That most is seen of, from 0; -1 without pages.
+    /// Index of the page of which most is visible; -1 without pages.
     int current_page() const { return current_; }
     void go_to_page(int page);
-    /// The place in the middle of the view stays there.
+    /// Changes the zoom; the place in the middle of the view stays there.
     void set_zoom(PageZoom zoom);
     PageZoom zoom() const { return zoom_; }
     /// The factor at which pages are shown, fitted or not.
     double scale() const;
-    /// To the next of the offered factors, up (1) or down (-1).
+    /// Zooms to the next of the offered factors, up (1) or down (-1).
     void step_zoom(int direction);
-    /// Of a page on the viewport.
+    /// Place of a page in the viewport.
     QRect page_rect(int page) const;
 
     static const std::vector<double>& offered_factors();
@@ -63,7 +63,7 @@ private:
 
     std::vector<PrintedPage> pages_;
     PageZoom zoom_;
-    std::map<int, QImage> shown_;  ///< of the pages in view, at the scale of now
+    std::map<int, QImage> shown_;  ///< pictures of the pages in view, drawn at shown_scale_
     double shown_scale_ = 0.0;
     int current_ = -1;
     double above_ = 0.0;  ///< part of the current page that is above the view

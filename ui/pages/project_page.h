@@ -1,5 +1,5 @@
-// What a project says of itself: title, notes, number, author, and how the results of all its analyses are
-// stated.
+// Statements about a project as a whole: title, notes, number, author, and how the results of all its
+// analyses are stated.
 #pragma once
 
 #include <QWidget>
@@ -19,7 +19,7 @@ class ProjectPage : public QWidget {
     Q_OBJECT
 public:
     explicit ProjectPage(Document& document, QWidget* parent = nullptr);
-    /// False: the path is of no field of this page.
+    /// False: the path names no field of this page.
     bool focus_field(const std::string& path);
 
 private:

@@ -74,7 +74,7 @@ ProjectPane::ProjectPane(Document& document, AnalysisRunner& runner, Selection& 
     plus_ = new QToolButton(this);
     plus_->setIcon(icon(QStringLiteral("add")));
     plus_->setAutoRaise(true);
-    plus_->setFocusPolicy(Qt::NoFocus);  // by keys from the tool bar and the menu
+    plus_->setFocusPolicy(Qt::NoFocus);  // the tool bar and the menu are reached by keys
     plus_->setPopupMode(QToolButton::InstantPopup);
     plus_->setStyleSheet(QStringLiteral("QToolButton::menu-indicator { image: none; }"));
     plus_->setToolTip(tr("Add an analysis or what it uses"));
@@ -176,7 +176,7 @@ void ProjectPane::show_filled_groups() {
         setRowHidden(category, {}, model_.rowCount(model_.index(category, 0)) == 0);
 }
 
-/// Where names have no room it is a column of icons; names and states are in their tooltips.
+/// Shows a column of icons where names have no room; names and states are then in the tooltips.
 void ProjectPane::resizeEvent(QResizeEvent* event) {
     QTreeView::resizeEvent(event);
     const bool narrow = width() < least_for_names;

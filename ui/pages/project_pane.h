@@ -25,18 +25,18 @@ public:
     /// Asked before something is deleted; the question names what depends on it.
     std::function<bool(const QString& question, const QString& action)> confirm;
 
-    /// Whether the scene shows what an asset has in it; empty: it has nothing there.
+    /// Whether the scene shows the parts of an asset; empty: it has none there.
     std::function<std::optional<bool>(const QString& asset)> is_in_scene;
 
     QAction* duplicate_action;
     QAction* rename_action;
     QAction* delete_action;
-    /// One entry per registered kind.
+    /// Menu with one entry per registered kind.
     QMenu* make_add_menu(QWidget* parent);
 
     void add_asset(const std::string& kind);
-    /// Of the model's first template, so that it has results at once; empty where there is none, and where a
-    /// budget is typed.
+    /// Adds an analysis from the model's first template, so that it has results at once; an empty one where
+    /// there is no template, and where a budget is typed.
     void add_analysis(const std::string& model);
     void add_from_template(const AnalysisTemplate& wanted);
     void add_copy(const AssetEntry& asset);
@@ -45,15 +45,15 @@ public:
     /// Copies an asset into the user's library.
     void keep_in_library(const SetupAddress& address);
 
-    /// What can be done to an entry.
+    /// Adds the actions on an entry.
     void fill_menu(QMenu& menu, const SetupAddress& address);
 
 signals:
     void library_wanted();
     void scene_wanted(const QString& asset, bool shown);
-    /// A new entry, to be filled in.
+    /// A new entry is to be filled in.
     void entry_added();
-    /// Something to be told in passing.
+    /// A text is to be told in passing.
     void message(const QString& text);
 
 protected:
@@ -74,7 +74,7 @@ private:
     QToolButton* plus_;  ///< at the right of the first row
 };
 
-/// The everyday one, whose budget is typed, first.
+/// Models for new analyses; the everyday one, whose budget is typed, comes first.
 std::vector<const ModelDescriptor*> models_for_new_analyses();
 
 }  // namespace covaria::ui

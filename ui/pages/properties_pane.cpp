@@ -35,9 +35,9 @@
 namespace covaria::ui {
 namespace {
 
-constexpr int certificate_group = 1;  // of the project
+constexpr int certificate_group = 1;  // its place among the groups of the project
 
-/// Of an analysis, the group in which a JSON pointer into the project is edited; nullopt: in the set-up.
+/// Group of an analysis in which a JSON pointer into the project is edited; nullopt: its set-up.
 std::optional<AnalysisGroup> group_of_place(const std::string& path, const std::string& entry) {
     static constexpr std::array<std::pair<const char*, AnalysisGroup>, 7> places{
         {{"/inputs", inputs_group},
@@ -126,7 +126,7 @@ void PropertiesPane::add_entry_pages(const SetupAddress& entry) {
     groups_->add(new NotesPage(document_, entry), tr("Notes"));
 }
 
-/// Where no entry is selected.
+/// Text where no entry is selected.
 QString PropertiesPane::hint() const {
     return document_.project().assets.empty() && document_.project().analyses.empty()
                ? tr("The project is empty. Add an analysis, or first what it uses, with the "
@@ -134,7 +134,7 @@ QString PropertiesPane::hint() const {
                : tr("Select an entry of the project tree to see its properties.");
 }
 
-/// What was said of a field of another group is over.
+/// Ends the help on a field of a group that was left.
 void PropertiesPane::start_help() {
     const QWidget* focused = QApplication::focusWidget();
     if (focused && groups_->isAncestorOf(focused)) return;
@@ -213,7 +213,7 @@ void PropertiesPane::go_to_first_field() {
     if (setup_) setup_->focus_first();
 }
 
-/// Its head at the top of the pane, as far as what is below it allows.
+/// Brings the head of a group to the top of the pane, as far as the pages below it allow.
 void PropertiesPane::show_group(int group) {
     if (group >= groups_->count()) return;
     groups_->open(group);
@@ -242,7 +242,7 @@ void PropertiesPane::go_to_field(const QString& path) {
         return;
     }
     const auto group = group_of_place(field, entry_path(document_.project(), selection_.entry()));
-    if (inputs_ && group) groups_->open(*group);  // what is hidden gets no focus
+    if (inputs_ && group) groups_->open(*group);  // a hidden field gets no focus
     const auto focus_in = [&](auto*... forms) { (void)((forms && forms->focus_field(field)) || ...); };
     focus_in(project_, studies_, designs_, requirements_, setup_, options_, inputs_);
 }

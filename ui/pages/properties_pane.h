@@ -37,10 +37,10 @@ public:
                    QWidget* parent = nullptr);
 
     void show_group(int group);
-    void show_inputs() { show_group(inputs_group); }  ///< of the analysis
+    void show_inputs() { show_group(inputs_group); }  ///< shows those of an analysis
     void show_studies() { show_group(studies_group); }
     void show_designs() { show_group(designs_group); }
-    /// Forms made anew: numbers are written in another form.
+    /// Makes the forms anew: numbers are written in another form.
     void start_over() { rebuild(); }
     /// Brings the field that a JSON pointer into the project names into view and gives it the focus.
     void focus_field(const QString& path);
@@ -48,13 +48,13 @@ public:
     FoldGroups& groups() const { return *groups_; }
     /// Names what is selected, and leads to the entries before and after it: the pane's title.
     InspectorHead& head() { return *head_; }
-    /// Of requirements and what is said of them.
+    /// Sets the units of requirements and of what is said of them.
     void set_units(const DisplayUnits& units);
-    /// Of the set-up, where one begins to fill it in.
+    /// Gives the focus to the first field of the set-up, where one begins to fill it in.
     void go_to_first_field();
 
 signals:
-    /// JSON pointer: somewhere else in the project.
+    /// A place elsewhere in the project is wanted: a JSON pointer into it.
     void place_wanted(const QString& path);
 
 private:
@@ -79,7 +79,7 @@ private:
     InspectorHead* head_;
     QScrollArea* area_ = nullptr;
     FoldGroups* groups_ = nullptr;
-    QPointer<QLabel> hint_;  ///< where no entry is selected
+    QPointer<QLabel> hint_;  ///< shown where no entry is selected
     SetupForm* setup_ = nullptr;
     CertificateForm* certificate_ = nullptr;
     ProjectPage* project_ = nullptr;

@@ -13,9 +13,9 @@ namespace covaria::ui {
 namespace {
 
 constexpr int picture_height = 132, least_width = 150, usual_width = 216, tile_margin = 16, tile_lines = 3;
-constexpr QSizeF drawing_size(210.0, 132.0);  ///< that the drawings are made on
+constexpr QSizeF drawing_size(210.0, 132.0);  ///< size for which the drawings are made
 
-/// One pen, one blue.
+/// Draws with one pen and one blue.
 class Drawer {
 public:
     Drawer(QPainter& painter, const Tokens& tokens) : p_(painter), t_(tokens) { use_pen(); }

@@ -10,9 +10,9 @@
 
 namespace covaria::ui {
 
-/// What is remembered of a project beside its file, in the folder of what may be deleted.
+/// Facts on a project for its card, kept beside its file in the cache folder, which may be deleted.
 struct RecentFacts {
-    QImage picture;  ///< of its scene, or of its budget; null: nothing is remembered
+    QImage picture;  ///< its scene, or its budget; null: nothing is remembered
     QString title, answer, verdict;
     Chip::Kind kind = Chip::Kind::neutral;
     QDateTime seen = {};

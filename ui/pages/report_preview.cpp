@@ -21,7 +21,7 @@ namespace {
 
 constexpr int preview_dots_per_inch = 96;
 
-/// What a document of the project would have of each analysis.
+/// Results that a document of the project would state of each analysis, as texts to compare.
 QStringList parts_of(const Project& project, const AnalysisRunner& runner) {
     QStringList parts;
     for (const AnalysisEntry& analysis : project.analyses) {
@@ -150,7 +150,7 @@ void ReportPreview::start_over() {
 }
 
 void ReportPreview::refresh() {
-    waiting_ = document_.maker().is_making();  // for the project of now
+    waiting_ = document_.maker().is_making();  // for the project as it is now
     if (waiting_) return;
     ReportMaker::Source source = document_source(kind(), document_.project(), runner_);
     if (source.analyses.empty()) {

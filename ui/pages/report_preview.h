@@ -26,17 +26,17 @@ public:
     ReportPreview(Document& document, AnalysisRunner& runner, QWidget* parent = nullptr);
 
     void refresh();
-    /// Another project: no page of the former one stays.
+    /// Begins anew with another project: no page of the former one stays.
     void start_over();
     DocumentKind kind() const;
     bool is_busy() const { return maker_.is_busy(); }
     std::size_t page_count() const { return pages_.size(); }
-    /// At 96 dots an inch; the same as the pages of the PDF.
+    /// Pages as pictures at 96 dots an inch, the same as the pages of the PDF.
     const std::vector<QImage>& pages() const { return pages_; }
     PageView& view() { return *view_; }
 
 signals:
-    /// The report, too, when neither is looked at any more.
+    /// The kind of document in view; the report, too, when neither is looked at any more.
     void in_view(DocumentKind kind);
 
 protected:
@@ -55,8 +55,8 @@ private:
     AnalysisRunner& runner_;
     bool old_ = true;
     ProjectSnapshot made_of_;  ///< null: not made
-    QStringList parts_;        ///< that it had
-    bool waiting_ = false;     ///< for the project of now to be made
+    QStringList parts_;        ///< the parts of made_of_, to be compared
+    bool waiting_ = false;     ///< waits for the project as it is now to be made
     std::vector<QImage> pages_;
     QComboBox* kind_;
     QLabel* state_;

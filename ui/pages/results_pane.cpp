@@ -42,7 +42,7 @@
 namespace covaria::ui {
 namespace {
 
-/// Views that some models have nothing for.
+/// Adds a view that some models have nothing for; it is hidden until it is offered.
 void add_unoffered(QTabWidget& tabs, QWidget* view, const QString& title) {
     tabs.addTab(view, title);
     show_tab(tabs, view, false);
@@ -101,7 +101,7 @@ ResultsPane::ResultsPane(Document& document, AnalysisRunner& runner, Selection& 
     take_result();
 }
 
-/// At the right of the filter.
+/// Adds the choice of units and of digits at the right of the filter.
 void ResultsPane::add_units_and_digits(QHBoxLayout& row) {
     units_ = new UnitButton(document_, preferences_);
     digits_ = new QSpinBox;
@@ -124,7 +124,7 @@ void ResultsPane::add_units_and_digits(QHBoxLayout& row) {
 
 QWidget* ResultsPane::make_filter() {
     auto* bar = new QWidget;
-    auto* parts = new FlowLayout(bar);  // with large letters units and digits are below the filter
+    auto* parts = new FlowLayout(bar);  // large letters put units and digits below the filter
     parts->setContentsMargins(4, 2, 4, 2);
     const auto add_part = [parts] {
         auto* part = new QWidget;
@@ -227,13 +227,13 @@ QWidget* ResultsPane::make_budget_tab() {
 
 void ResultsPane::show_contributions(std::size_t output) {
     PlotSpecification plot = contribution_plot(*result_, output, language_of_window());
-    // Where there are fewer than rows, the last is that of all others.
+    // The last bar stands for all other components where there are fewer bars than rows.
     const int bars = int(plot.y.categories.size());
     contributions_->set_clickable_bars(bars - int(bars < budget_model_.rowCount()));
     show_chart(*contributions_, std::move(plot));
 }
 
-/// Of a row of the budget shown; the bars stand in the same order.
+/// Leads to the source of a row of the budget shown; the bars stand in the same order.
 void ResultsPane::go_to_source(int row) {
     const auto& prepared = runner_.status(selection_.analysis()).prepared;
     const BudgetComponent* component = budget_model_.component(row);
@@ -242,7 +242,7 @@ void ResultsPane::go_to_source(int row) {
     if (!place.isEmpty()) emit place_wanted(place);
 }
 
-/// One at a time, chosen from a list.
+/// A tab with one chart at a time, chosen from a list.
 QWidget* ResultsPane::make_charts_tab() {
     auto* tab = new QWidget;
     charts_ = new QComboBox;
@@ -300,7 +300,7 @@ void ResultsPane::connect_selection() {
     connect(&runner_, &AnalysisRunner::state_changed, this, take);
     connect(&selection_, &Selection::analysis_changed, this, &ResultsPane::take_result);
     connect(&document_, &Document::project_replaced, this, [this] {
-        stated_digits_ = 0;  // what was chosen beside the results was for the project before
+        stated_digits_ = 0;  // a number chosen beside the results was for the project before
         QMetaObject::invokeMethod(this, &ResultsPane::take_preferences, Qt::QueuedConnection);
     });
     connect(&document_, &Document::project_changed, this, [this] {
@@ -326,7 +326,7 @@ void ResultsPane::take_result() {
 
 void ResultsPane::take_preferences() {
     shown_style_ = document_.project().results.style;
-    // What was chosen here stays until another number is stated.
+    // A number chosen here stays until another one is stated.
     const int stated = shown_style_.digits.value_or(preferences_.now().digits);
     if (std::exchange(stated_digits_, stated) != stated) digits_->setValue(stated);
     result_model_.set_units(units_->units());
@@ -416,7 +416,7 @@ void ResultsPane::add_scene(QWidget& scene) {
     stage_->add_first(scene, tr("Scene"));
 }
 
-/// What is typed as a budget has that in the place of a scene.
+/// Names the first view: a budget that is typed stands there in place of a scene.
 void ResultsPane::set_typed(bool typed) {
     stage_->name_first(typed ? tr("Budget") : tr("Scene"));
     tabs_->setTabText(stage_->tab_of(budget_tab_), typed ? tr("Contributions") : tr("Budget"));

@@ -44,13 +44,13 @@ public:
                 PreferenceStore& preferences, QWidget* parent = nullptr);
 
     void set_dark(bool dark);
-    /// Units, digits and the form of numbers.
+    /// Follows the preferences: units, digits and the form of numbers.
     void take_preferences();
-    /// Another project: its report has not been made.
+    /// Begins anew with another project: its report has not been made.
     void start_over();
-    /// Its first view: the scene, or what takes its place.
+    /// Adds the first view of the stage: the scene, or what takes its place.
     void add_scene(QWidget& scene);
-    /// The analysis being looked at is typed as a budget.
+    /// Tells whether the analysis looked at is typed as a budget.
     void set_typed(bool typed);
     Stage& stage() { return *stage_; }
     QTabWidget& tabs() { return *tabs_; }
@@ -58,7 +58,7 @@ public:
     QWidget* results_tab() { return results_tab_; }
     QWidget* budget_tab() { return budget_tab_; }
     SortableTable& result_table() { return *results_; }
-    /// Above it: what it shows of the results.
+    /// Field above the tables that filters their rows.
     QLineEdit& filter() { return *filter_; }
     QCheckBox& only_not_met() { return *only_not_met_; }
     QCheckBox& all_groups() { return *all_groups_; }
@@ -72,11 +72,11 @@ public:
     ReportPreview& report() { return *report_; }
     AllResultsTab& all_results_tab() { return *all_; }
 
-    /// Above the stage.
+    /// The strip above the stage.
     AnswerStrip& answer() { return *answer_; }
 
 signals:
-    /// A JSON pointer into the project.
+    /// A place in the project is wanted: a JSON pointer into it.
     void place_wanted(const QString& path);
 
 private:
@@ -101,15 +101,15 @@ private:
     void refresh_charts();
     void show_chart(ChartView& view, PlotSpecification plot) const;
 
-    /// That the tables show; empty: all.
+    /// Group that the tables show; empty: all.
     QString shown_group() const;
 
     Document& document_;
     AnalysisRunner& runner_;
     Selection& selection_;
     PreferenceStore& preferences_;
-    ResultStyle shown_style_;  ///< of the project, that the tables have
-    int stated_digits_ = 0;    ///< by project or preferences
+    ResultStyle shown_style_;  ///< the project's style of results, which the tables have
+    int stated_digits_ = 0;    ///< stated by project or preferences
     ResultPointer result_;
     bool current_ = true;
     bool shortest_ = false;  ///< coverage intervals, else probabilistically symmetric ones

@@ -53,7 +53,7 @@ RunStatus::RunStatus(Document& document, AnalysisRunner& runner, Selection& sele
         row->addWidget(widget);
     follow_font(*this, [this] {
         bar_->setFixedHeight(fontMetrics().height());
-        // Between runs, too: the scene would move while it is dragged.
+        // The height is kept between runs, too: the scene would move while it is dragged.
         setMinimumHeight(stop_->sizeHint().height());
     });
     connect(stop_, &QToolButton::clicked, &runner_, &AnalysisRunner::stop_all);

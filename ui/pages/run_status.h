@@ -1,4 +1,4 @@
-// What the status bar says about computing: the state of the analysis looked at, and while a run goes on, how
+// Words of the status bar on computing: the state of the analysis looked at, and while a run goes on, how
 // far, how fast, how long still.
 #pragma once
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t most_shown = 60;
 
-/// Of one word: 0 where its letters are not in the text in order.
+/// How well one word fits a text: 0 where its letters are not in the text in order.
 int fit(const QString& word, const QString& text) {
     const auto at = text.indexOf(word, 0, Qt::CaseInsensitive);
     const auto begins = [&](qsizetype i) { return i == 0 || !text[i - 1].isLetterOrNumber(); };
@@ -41,7 +41,7 @@ std::optional<int> match(const QString& typed, const Findable& findable) {
         if (best == 0) return std::nullopt;
         sum += best;
     }
-    // Of two that fit alike the shorter one is meant.
+    // The shorter one of two that fit alike is meant.
     return 100 * (sum - (findable.behind ? 150 : 0)) -
            static_cast<int>(std::min<qsizetype>(findable.name.size(), 99));
 }

@@ -18,7 +18,7 @@ struct Findable {
     QString name;
     QString kind;  ///< "analysis", "field of Tracker" ...: shown beside the name, and searched too
     std::function<void()> go;
-    bool behind = false;   ///< what fits alike and is not goes first
+    bool behind = false;   ///< comes after what fits alike and is not behind
     QString english = {};  ///< its name there: searched in every language, and not shown
 };
 
@@ -31,7 +31,7 @@ class SearchPalette : public QDialog {
 public:
     explicit SearchPalette(QWidget* parent);
 
-    /// Above the parent, with the focus in the empty field.
+    /// Opens above the parent, with the focus in the empty field.
     void search(std::vector<Findable> findables);
     QLineEdit& field() { return *field_; }
     QTreeView& found() { return *found_; }

@@ -53,7 +53,7 @@ int SecondPart::tab_of(const QWidget* view) const {
     return -1;
 }
 
-/// Without a word to those who follow the tabs, which stay in their order.
+/// Puts another page behind a tab, unnoticed by those who follow the tabs, which stay in their order.
 void SecondPart::replace_page(int tab, QWidget* page) {
     const QSignalBlocker quiet(&tabs_);
     QWidget* current = tabs_.currentIndex() == tab ? page : tabs_.currentWidget();

@@ -16,20 +16,20 @@ class SecondPart : public QWidget {
 public:
     explicit SecondPart(QTabWidget& tabs, QWidget* parent = nullptr);
 
-    /// Null: closed.
+    /// The view that is here; null: the part is closed.
     QWidget* view() const { return view_; }
-    /// Of the tab behind which it stands or stood; null there is none.
+    /// Takes a view out of the tabs, and shows it here; the view shown before goes back to its tab.
     void show_view(QWidget* view);
-    /// Its view goes back to its tab.
+    /// Gives the view back to its tab.
     void close_part();
     /// The tab of a view, wherever that is shown; -1: it is none.
     int tab_of(const QWidget* view) const;
-    /// A tab has another name, or is hidden or shown.
+    /// Follows a tab that has another name, or is hidden or shown.
     void take_names();
     QComboBox& list() { return *list_; }
 
 signals:
-    /// Which views are seen.
+    /// Other views are seen than before.
     void changed();
 
 private:
@@ -40,9 +40,9 @@ private:
     void replace_page(int tab, QWidget* page);
 
     QTabWidget& tabs_;
-    QWidget* gap_;  ///< in the place of the view that is here
+    QWidget* gap_;  ///< stands in the tabs for the view that is here
     QWidget* view_ = nullptr;
-    QWidget* main_ = nullptr;  ///< what the tabs showed last
+    QWidget* main_ = nullptr;  ///< the view that the tabs showed last
     QComboBox* list_;
     QVBoxLayout* room_;
 };

@@ -15,7 +15,7 @@ namespace {
 using evidence::Verdict;
 
 constexpr int scale_width = 220, chip_room = 8;  // px
-constexpr double most_doublings = 3.0;           // of the scale, either way
+constexpr double most_doublings = 3.0;           // half width of the scale
 
 QColor ink_of(Verdict verdict, const Tokens& tokens) {
     if (verdict == Verdict::larger) return tokens.red;

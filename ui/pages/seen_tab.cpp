@@ -78,7 +78,7 @@ void SeenTab::refresh() {
     // The tab stays where it is while the analysis has a problem.
     if (!prepared || !prepared->model) return;
     if (prepared == prepared_) return;
-    // Until the new readings speak, the old ones are not taken over into another analysis.
+    // A finding of another analysis is not taken over while that of this one is awaited.
     if (prepared_ && prepared_->id != prepared->id) take_over_->setEnabled(false);
     prepared_ = prepared;
     start();

@@ -19,8 +19,8 @@ namespace covaria::ui {
 class ChartView;
 class SortableTable;
 
-/// Of the analysis being looked at; the components are computed in a worker thread. Models without redundant
-/// readings need no tab.
+/// Compares the stated uncertainties of the analysis looked at with what its redundant readings show, in a
+/// worker thread. Models without such readings need no tab.
 class SeenTab : public QWidget {
     Q_OBJECT
 public:
@@ -33,7 +33,7 @@ public:
     const std::shared_ptr<const evidence::Seen>& seen() const { return seen_; }
 
 signals:
-    /// Whether there is anything to show.
+    /// Tells whether there is anything to show.
     void filled(bool any);
     /// The field that states a figure, or the first of its readings, is asked for.
     void place_wanted(const QString& path);
@@ -58,7 +58,7 @@ private:
     AnalysisRunner& runner_;
     Selection& selection_;
     SeenTableModel model_;
-    std::shared_ptr<const PreparedAnalysis> prepared_;  ///< what was asked
+    std::shared_ptr<const PreparedAnalysis> prepared_;  ///< the analysis that was asked
     std::shared_ptr<const evidence::RedundantReadings> readings_;
     std::shared_ptr<const evidence::Seen> seen_;
     SortableTable* table_ = nullptr;

@@ -65,7 +65,7 @@ QSplitter* one_above_other(QWidget* top, QWidget* bottom, int top_part, int bott
 void widen_to_content(QSplitter& splitter, QAbstractScrollArea& view) {
     auto by_hand = std::make_shared<bool>(false);
     QObject::connect(&splitter, &QSplitter::splitterMoved, &view, [by_hand] { *by_hand = true; });
-    // Behind the layout that found the view too small.
+    // Queued: behind the layout that found the view too small.
     QObject::connect(
         &bar_along(view, splitter.orientation()), &QScrollBar::rangeChanged, &view,
         [by_hand, &splitter, &view] {

@@ -24,7 +24,7 @@
 namespace covaria::ui {
 namespace {
 
-constexpr int widest_column = 260;  ///< that a column gets by itself
+constexpr int widest_column = 260;  ///< limit of widths that no user has set
 
 }  // namespace
 
@@ -76,7 +76,7 @@ QString SortableTable::column_name(int column) const {
 }
 
 void SortableTable::apply_columns() {
-    fitting_ = true;  // what appears has the width of what stood there before: nobody's wish
+    fitting_ = true;  // columns that appear keep their former width, which is no wish of the user
     for (int column = 0; column < proxy_.columnCount(); ++column)
         setColumnHidden(column, hidden_.contains(column_name(column)));
     fit_columns();

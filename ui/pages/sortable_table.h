@@ -18,20 +18,20 @@ public:
     /// `name` names the saved file ("results") and the table to screen readers.
     SortableTable(ColumnTableModel& model, const QString& name, QWidget* parent = nullptr);
 
-    /// Columns hidden until the user shows them, by their English heads. The choice and the widths the user
+    /// Hides columns, by their English heads, until the user shows them. The choice and the widths the user
     /// gave are remembered under `key`.
     void set_columns(const QString& key, const QStringList& hidden);
     void set_column_shown(int column, bool shown);
-    /// Columns to tick, as on a right click on the head.
+    /// Adds the columns to tick, as on a right click on the head.
     void fill_column_menu(QMenu& menu);
-    /// Further entries of the context menu, for a row of the model.
+    /// Adds further entries to the context menu of a row of the model.
     std::function<void(QMenu& menu, int row)> extend_menu;
 
-    /// What is said below the numbers wherever they are copied or saved; empty: nothing.
+    /// Sets a remark, which stands below the numbers wherever they are copied or saved; empty: none.
     void set_remark(const QString& remark) { remark_ = remark; }
 
     void copy_selection();
-    /// What is shown, in the order shown: the text that a file of these columns has.
+    /// The columns shown, in the order shown, as the text of a CSV file.
     QString csv() const;
     void save_csv(const QString& file);
     /// Row of the model under the current row of the view; -1 = none.
@@ -53,7 +53,7 @@ private:
     QString column_name(int column) const;
     void apply_columns();
     void fit_columns();
-    /// Long texts are cut only where there is no room.
+    /// Gives spare room to columns of long texts, which are cut only where there is none.
     void share_room();
     void remember_width(int column, int width);
     void forget_columns();
@@ -63,8 +63,8 @@ private:
     QString name_, key_, remark_;
     const ColumnTableModel& model_;
     QStringList hidden_;
-    QMap<QString, QVariant> widths_;   ///< that the user gave
-    std::map<int, int> long_columns_;  ///< those that want more than they get by themselves, and how much
+    QMap<QString, QVariant> widths_;   ///< set by the user
+    std::map<int, int> long_columns_;  ///< columns that want more width than the limit, and how much
     QSortFilterProxyModel proxy_;
     bool selecting_ = false;
     bool fitting_ = false;

@@ -21,18 +21,18 @@ public:
     void name_first(const QString& name);
     /// While the tabs show this view it has the whole stage: pages are read, not glanced at.
     void give_whole_stage(QWidget& view);
-    /// The first view, and in the second part, if the stage is split, this one.
+    /// Shows the first view, and this one in the second part if the stage is split.
     void show_usual(QWidget& second);
     /// Brings it into view, beside the first one where the stage is split.
     void show_view(QWidget* view);
-    /// A view or a part of one.
+    /// Whether it shows a view or a part of one.
     bool shows(const QWidget& part) const;
     int tab_of(const QWidget* view) const;
     SecondPart& second() { return *second_; }
     QToolButton& split_button() { return *split_; }
 
 signals:
-    /// Which views are seen.
+    /// Other views are seen than before.
     void changed();
 
 private:
@@ -46,7 +46,7 @@ private:
     QToolButton* split_;
     QWidget* first_ = nullptr;
     QWidget* alone_ = nullptr;  ///< has the whole stage
-    QWidget* usual_ = nullptr;  ///< of the second part
+    QWidget* usual_ = nullptr;  ///< the view that the second part usually shows
 };
 
 }  // namespace covaria::ui

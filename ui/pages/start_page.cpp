@@ -168,7 +168,7 @@ int StartPage::columns_of(const QList<QWidget*>& buttons) {
     return needed <= widest_page - 2 * page_margin ? most : most - 1;
 }
 
-/// As plain lines; with their pictures they are in the library.
+/// Adds the examples as plain lines; the library shows them with their pictures.
 void StartPage::add_examples(QVBoxLayout& column) {
     auto* head = new QHBoxLayout;
     head->addWidget(heading(tr("Examples")));
@@ -194,7 +194,7 @@ void StartPage::add_examples(QVBoxLayout& column) {
     column.addLayout(lines);
 }
 
-/// One row of cards; all files are in the list at the right of the heading.
+/// Shows one row of cards; all files are in the list at the right of the heading.
 void StartPage::set_recent_files(const QStringList& files) {
     while (QLayoutItem* item = recent_->takeAt(0)) {
         delete item->widget();

@@ -1,4 +1,4 @@
-// What the window shows without a project: five questions, recent projects, examples.
+// The window without a project: five questions, recent projects, examples.
 #pragma once
 
 #include <QStringList>
@@ -32,7 +32,7 @@ signals:
     void library_wanted();
     void first_steps_wanted();
     void file_wanted(const QString& file);
-    /// Opens as a new project, so that the shipped file stays as it is.
+    /// The example is wanted as a new project, so that the shipped file stays as it is.
     void example_wanted(const QString& file);
     void template_wanted(const covaria::AnalysisTemplate& wanted);
 

@@ -34,14 +34,14 @@ public:
     bool is_current() const { return current_; }
     const StudyView& view() const { return view_; }
     QString state_words() const;
-    /// Anew, as it is and with numbers in the form of now.
+    /// Shows the study anew, with numbers in their present form.
     void show_study();
-    /// What the scene shows of it.
+    /// Choices about what the scene shows of the study.
     bool wants_ellipsoids() const { return ellipsoids_->isChecked(); }
     bool wants_slice() const { return only_slice_->isChecked(); }
 
 signals:
-    /// Another study, or something else of it.
+    /// Another study is shown, or another part of it.
     void shown_changed();
     /// The user wants to change the studies of the analysis.
     void edit_wanted();

@@ -42,7 +42,7 @@ void UnitButton::fill() {
         menu()->addSeparator();
     }
     menu()->addAction(tr("As the Model Gives Them"), this, &UnitButton::clear);
-    // What is chosen here is of the window, unless the project states a unit already.
+    // A choice made here is the window's, unless the project states a unit already.
     const DisplayUnits& stated = document_.project().results.style.units;
     DisplayUnits shown = stated;
     for (const Unit& unit : shown_) shown.choose(units().of(unit));

@@ -19,10 +19,10 @@ public:
     UnitButton(Document& document, PreferenceStore& preferences, QWidget* parent = nullptr);
 
     void set_result(const ResultPointer& result);
-    /// What the project states, else what the user prefers.
+    /// Units of what is shown: those that the project states, else those that the user prefers.
     DisplayUnits units() const;
     void choose(const Unit& unit);
-    /// Every quantity in the unit of its model again: neither stated nor preferred.
+    /// Puts every quantity into the unit of its model again: neither stated nor preferred.
     void clear();
     /// Adds the units of the dimension of `unit` to a menu.
     void add_choices(QMenu& menu, const Unit& unit);

@@ -48,7 +48,7 @@ bool is_map(const PlotSpecification& plot) {
                        [](const PlotSeries& series) { return series.kind == SeriesKind::heat_map; });
 }
 
-/// Of a figure that stands alone, in mm: a map grows with its cells.
+/// Width of a figure that stands alone, in mm: a map grows with its cells.
 double lone_width(const PlotSpecification& plot) {
     if (!is_map(plot)) return 125.0;
     return std::clamp(30.0 + 8.0 * static_cast<double>(plot.x.categories.size()), 60.0, 115.0);

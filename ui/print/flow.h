@@ -10,10 +10,10 @@
 
 namespace covaria::ui {
 
-/// Paints itself with its top left corner at the given point.
+/// Paints an item with its top left corner at the given point.
 using PaintAt = std::function<void(QPainter&, QPointF)>;
 
-/// Put again at the top of a page on which a table goes on.
+/// The head of a table, put again at the top of each page on which the table goes on.
 struct RepeatedHead {
     double height = 0.0;
     PaintAt paint;
@@ -24,8 +24,8 @@ struct FlowItem {
     double space_before = 0.0;  ///< dropped at the top of a page
     bool keep_with_next = false;
     PaintAt paint;
-    std::shared_ptr<const RepeatedHead> head = {};  ///< of the table the item is a row of
-    std::string heading = {};                       ///< that a reader may go to
+    std::shared_ptr<const RepeatedHead> head = {};  ///< head of the table that the item is a row of
+    std::string heading = {};                       ///< heading that a reader may go to
     int heading_level = 0;
     bool begins_page = false;
     std::optional<std::size_t> leads_to = {};  ///< number of the heading, of all in their order

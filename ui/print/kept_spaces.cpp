@@ -9,7 +9,7 @@
 namespace covaria::ui {
 namespace {
 
-constexpr qsizetype longest_run = 28;  // that relations hold together: longer ones break behind the sign
+constexpr qsizetype longest_run = 28;          // relations hold together: longer ones break behind the sign
 constexpr qsizetype longest_abbreviation = 5;  // "Abs."
 
 bool is_relation(QStringView word) {
@@ -61,7 +61,7 @@ bool is_space(QChar letter) {
 QString with_kept_spaces(const QString& text) {
     QString kept = text;
     const QStringView all = text;
-    qsizetype word = 0, run = 0;  // where the word and the run before this space begin
+    qsizetype word = 0, run = 0;  // the beginnings of the word and of the run before this space
     for (qsizetype i = 0; i < text.size(); ++i) {
         if (!is_space(text[i])) continue;
         const auto next = std::find_if(text.begin() + i + 1, text.end(), is_space);

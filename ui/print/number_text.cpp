@@ -25,7 +25,7 @@ qsizetype decimal_sign_of(const QString& number, const NumberLocale& locale) {
     const QString group = QString::fromStdString(locale.group);
     const qsizetype sign = number.indexOf(QString::fromStdString(locale.decimal));
     if (sign >= 0) return sign;
-    qsizetype end = 0;  // of the integer part
+    qsizetype end = 0;  // end of the integer part
     for (qsizetype i = 0; i < number.size(); ++i) {
         if (number[i].isDigit())
             end = i + 1;

@@ -28,7 +28,7 @@ private:
     double before_ = 0.0, after_ = 0.0;
 };
 
-/// Where the decimal sign of a number stands, or would stand: "5×10⁻⁵" is aligned behind the 5.
+/// Index at which the decimal sign of a number stands, or would stand: "5×10⁻⁵" is aligned behind the 5.
 qsizetype decimal_sign_of(const QString& number, const NumberLocale& locale);
 
 }  // namespace covaria::ui

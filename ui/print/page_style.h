@@ -32,7 +32,7 @@ public:
 
     double mm(double length) const;
     double points(double length) const;
-    QRectF text_area() const { return text_area_; }  ///< of the flowing content
+    QRectF text_area() const { return text_area_; }  ///< area of the flowing content
     QRectF sheet() const { return sheet_; }
     QFont font(TextRole role) const;
     QFont figures_font() const;                ///< numbers in tables

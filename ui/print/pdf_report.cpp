@@ -22,7 +22,7 @@ bool has(const ReportDocument& document) {
                        [](const ReportBlock& block) { return std::holds_alternative<Block>(block); });
 }
 
-/// Of languages whose letters are not in every font.
+/// Letters of a language that are not in every font.
 std::optional<QFontDatabase::WritingSystem> letters_of(const std::string& language) {
     if (language == "zh_CN") return QFontDatabase::SimplifiedChinese;
     if (language == "ko") return QFontDatabase::Korean;

@@ -24,7 +24,7 @@ struct PdfOptions {
 /// The bytes of the PDF, equal for equal arguments. Needs a QGuiApplication. Error{usage}: charts or pictures
 /// without their painter.
 Result<std::string> pdf_bytes(const ReportDocument& document, const PdfOptions& options);
-/// Atomically: the whole file or none.
+/// Writes atomically: the whole file or none.
 Result<void> write_pdf(const ReportDocument& document, const PdfOptions& options,
                        const std::filesystem::path& file);
 

@@ -207,7 +207,7 @@ public:
     std::vector<FlowItem> items;
 
 private:
-    /// As mathematics, if there is such a form and it is not too wide.
+    /// Adds the equation as mathematics, if there is such a form and it is not too wide.
     bool add_formula(const EquationBlock& equation, const RichText& source, double source_width) {
         if (equation.formula.empty()) return false;
         const double indent = style_.mm(6.0), room = width_ - indent - style_.mm(5.0) - source_width;

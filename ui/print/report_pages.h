@@ -12,7 +12,7 @@
 
 namespace covaria::ui {
 
-/// Of the PDF, and of everything that shows its pages: lines and pages break in the same places.
+/// Resolution of the PDF, and of everything that shows its pages: lines and pages break in the same places.
 constexpr int printed_dots_per_inch = 1200;
 
 class ReportPages {
@@ -24,11 +24,11 @@ public:
     void paint(int page, QPainter& painter) const;
     /// Headings of the first two levels.
     std::vector<PdfBookmark> bookmarks() const;
-    /// Of the lines of contents to their headings.
+    /// Links of the lines of contents to their headings.
     std::vector<PdfLink> links() const;
 
 private:
-    /// From the bottom of the page in points; `y` from the top of the text area.
+    /// Height above the bottom of the page in points; `y`: below the top of the text area.
     double height_in_points(double y) const;
     PdfPlace place_of(const PlacedHeading& heading) const;
 
@@ -47,7 +47,7 @@ struct PrintedPage {
 
 std::vector<PrintedPage> printed_pages(const ReportDocument& document, const PdfOptions& options);
 
-/// On white, with `dots_per_inch` pixels an inch.
+/// The page on white, with `dots_per_inch` pixels an inch.
 QImage page_image(const PrintedPage& page, double dots_per_inch);
 
 }  // namespace covaria::ui

@@ -19,7 +19,7 @@ namespace {
 /// The importer of HTML makes a plain space of every other one but U+00A0: numbers would break between their
 /// groups of digits. It is put back where it was.
 constexpr char16_t group_space = u'\u202f', stand_in = u'\ue02f';
-/// Behind the stroke of a unit, where a line would break else: "mm/m".
+/// Stands behind the stroke of a unit, where a line would break else: "mm/m".
 constexpr char16_t joiner = u'\u2060';
 
 void replace(QTextDocument& document, qsizetype at, QChar letter) {

@@ -18,7 +18,7 @@ public:
     RichText(const PageStyle& style, TextRole role, const QString& html, Qt::Alignment align = Qt::AlignLeft);
 
     double natural_width() const;    ///< on one line
-    double narrowest_width() const;  ///< of the longest word
+    double narrowest_width() const;  ///< width of the longest word
     void set_width(double width);
     double height() const;
     double first_baseline() const;  ///< below the top

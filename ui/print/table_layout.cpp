@@ -16,7 +16,7 @@ namespace covaria::ui {
 namespace {
 
 constexpr std::size_t largest_whole_group = 8;  // rows under a sub-head that a page break does not part
-constexpr double most_lines = 4.0;              // of a long text in a cell, where there is room
+constexpr double most_lines = 4.0;              // lines of a long text in a cell, where there is room
 constexpr std::array font_scales = {1.0, 0.93, 0.86};  // the least: 6.5 pt
 constexpr std::size_t most_keys = 2;                   // columns that every part of a wide table has
 
@@ -52,7 +52,7 @@ public:
         place_columns();
     }
 
-    /// Of the columns alone, with the least gaps: texts at their longest word, or wide enough to be read.
+    /// Width of the columns with the least gaps: texts at their longest word, or wide enough to be read.
     double least_width(bool comfortable) const {
         double width = least_gap() * static_cast<double>(count() - 1);
         for (std::size_t c = 0; c < count(); ++c) width += least_width_of(c, comfortable);
@@ -226,7 +226,7 @@ private:
         return is_subhead(first) && last - first <= largest_whole_group;
     }
 
-    /// Of the first line of a text cell: numbers stand on the same line.
+    /// Baseline of the first line of a text cell: numbers stand on the same line.
     double baseline() const { return QFontMetricsF(fonts_.font(TextRole::table), style_.device()).ascent(); }
 
     void append_notes(std::vector<FlowItem>& items) const {

@@ -9,7 +9,7 @@
 
 namespace covaria::ui {
 
-/// What the columns of a table want: on one line, and at the least (longest word).
+/// Widths that a column of a table wants: on one line, and at the least (longest word).
 struct ColumnWish {
     double natural = 0.0;
     double narrowest = 0.0;

@@ -75,7 +75,7 @@ AnalysisRunner::AnalysisRunner(ProjectMaker& maker, RunBackend backend, Executio
 
 AnalysisRunner::~AnalysisRunner() = default;
 
-/// Another project: all results are forgotten.
+/// Forgets all results: there is another project.
 void AnalysisRunner::reset() {
     stop_all();
     first_order_.cancel();
@@ -197,7 +197,7 @@ void AnalysisRunner::set_held(const std::map<std::string, QString>& held) {
         if (reason == entry.held) continue;
         entry.held = reason;
         if (!reason.isEmpty()) stop(to_qt(id));
-        if (!entry.prepared) continue;  // that is the greater trouble
+        if (!entry.prepared) continue;  // its problems are the greater trouble
         set_state(id, reason.isEmpty() ? resting_state(entry) : RunState::failed, to_std(reason));
         if (live_ && entry.state == RunState::out_of_date) enqueue(id);
     }

@@ -24,7 +24,7 @@ public:
     AnalysisRunner(ProjectMaker& maker, RunBackend backend, Execution execution, QObject* parent = nullptr);
     ~AnalysisRunner() override;
 
-    /// Live: after each change first-order results at once, then Monte Carlo.
+    /// Live: each change gives first-order results at once, then Monte Carlo.
     void set_live(bool live);
     bool is_live() const { return live_; }
     /// The analysis being looked at is computed before the others.
@@ -38,7 +38,7 @@ public:
     /// Studies of the same project; they run when asked for.
     StudyRunner& studies() { return studies_; }
     const StudyRunner& studies() const { return studies_; }
-    /// Likewise designs.
+    /// Designs of the same project; they run when asked for.
     DesignRunner& designs() { return designs_; }
     const DesignRunner& designs() const { return designs_; }
     /// Results to compare later ones with.
@@ -49,17 +49,17 @@ public:
     void set_held(const std::map<std::string, QString>& held);
 
     void run(const QString& id);
-    /// All that are not up to date.
+    /// Runs all that are not up to date.
     void run_all();
     void stop(const QString& id);
     void stop_all();
 
-    /// Of an analysis that does not exist: an empty status.
+    /// Status of an analysis; empty if it does not exist.
     const AnalysisStatus& status(const QString& id) const;
-    /// The project that all this is about.
+    /// The made project whose analyses these are.
     const MadeProject::Pointer& made() const { return maker_.made(); }
     bool is_busy() const { return is_computing() || kept_.is_busy(); }
-    /// The project of now is made or evaluated; kept states come after it.
+    /// Whether the present project is made or evaluated; kept states come after it.
     bool is_computing() const { return maker_.is_making() || first_order_.is_busy() || runs_.is_busy(); }
     /// Waits until nothing is to be done any more, with an event loop of its own. False after `milliseconds`.
     bool wait_until_idle(int milliseconds);
@@ -68,7 +68,7 @@ signals:
     void made_changed();  ///< another state of the project; what of it concerns an analysis follows
     void state_changed(const QString& id);
     void result_changed(const QString& id);
-    /// Some ten times a second at most.
+    /// Sent some ten times a second at most.
     void progress_changed(const QString& id, const covaria::ui::RunProgress& progress);
     void idle();
 
@@ -77,11 +77,11 @@ private:
     using FirstOrder = std::vector<std::pair<PreparedPointer, SharedResult>>;
     void reset();
     void take_made();
-    /// The project could not be made.
+    /// Marks all analyses as failed: the project could not be made.
     void take_none(const ProjectSnapshot& project, const Error& error);
     void fail_entry(const std::string& id, const Error& error);
     void update_entry(const std::string& id, const MadeAnalysis& made);
-    /// First-order results of what has none; live runs follow.
+    /// Computes first-order results where there are none; live runs follow.
     void propagate();
     void take_first_order(const FirstOrder& results);
     void start_wanted();

@@ -20,7 +20,7 @@ const Item& item_of(const std::vector<Item>& items, const std::string& id) {
     return *std::ranges::find(items, id, &Item::id);
 }
 
-/// Of a sort with these two functions of the core.
+/// Run of one sort of inquiry with these two functions of the core.
 template <class Prepare, class Run>
 auto prepared_and_run(Prepare prepare, Run run, const char* otherwise) {
     return [=](const MadeProject::Pointer& made, const RunKey& key,

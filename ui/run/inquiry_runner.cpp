@@ -41,7 +41,7 @@ void InquiryRunner::take_made() {
             else
                 compare(key, analysis);
         }
-    runs_.begin();  // those that waited for this state
+    runs_.begin();  // the ones that waited for this state
 }
 
 void InquiryRunner::recheck() {
@@ -105,7 +105,7 @@ void InquiryRunner::stop_all() {
 RunQueue::Run InquiryRunner::begin_run(const RunKey& key) {
     if (maker_.is_making() || !maker_.made()) return {};  // the state to run is still to come
     return [this, key, made = maker_.made()](const RunControl& control) -> JobQueue::Delivery {
-        const auto of = part_of(made->project(), key);  // with files as they are before they are read
+        const auto of = part_of(made->project(), key);  // files in it are as they are before they are read
         auto ran = guarded([&] { return kind_.run(made, key, control); });
         const auto finished = std::make_shared<const Finished>(
             Finished{ran ? *std::move(ran) : InquiryKind::Outcome(fail(ran.error())), of});

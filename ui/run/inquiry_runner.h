@@ -20,13 +20,13 @@ namespace covaria::ui {
 struct InquiryKind {
     using Outcome = Result<std::shared_ptr<const void>>;
     std::function<std::vector<std::string>(const AnalysisEntry& analysis)> ids;
-    /// For people; `id` is one of those.
+    /// The item's name for people; `id` is one of those.
     std::function<std::string(const AnalysisEntry& analysis, const std::string& id)> name;
-    /// Everything of the project that influences what comes of it.
+    /// The part of the project that influences the outcome.
     std::function<Project(const Project& project, const AnalysisEntry& analysis, const std::string& id)> part;
-    /// Whether the same would come of two such parts.
+    /// Whether two such parts give the same outcome.
     std::function<bool(const Project& a, const Project& b)> same;
-    /// On a worker thread.
+    /// Computes the outcome on a worker thread.
     std::function<Outcome(const MadeProject::Pointer& made, const RunKey& key, const RunControl& control)>
         run;
 };
@@ -34,11 +34,11 @@ struct InquiryKind {
 template <class Outcome>
 struct InquiryStatus {
     RunState state = RunState::out_of_date;
-    QString message = {};                           ///< of a failure
+    QString message = {};                           ///< tells why it failed
     std::shared_ptr<const Outcome> result = {};     ///< the newest there is; may be out of date
     std::shared_ptr<const Project> result_of = {};  ///< the part of the project that it was computed from
-    bool has_same_numbers = false;                  ///< as that part has now
-    std::shared_ptr<const Project> failed_of = {};  ///< likewise, of a failure
+    bool has_same_numbers = false;                  ///< `result_of` gives what that part gives now
+    std::shared_ptr<const Project> failed_of = {};  ///< the part of the project that a failure came from
     bool is_current() const { return result && has_same_numbers; }
 };
 
@@ -54,7 +54,7 @@ public:
 
     void run(const QString& analysis, const QString& id);
     void stop_all();
-    /// A file that an inquiry reads has changed: what is current is found out anew.
+    /// Finds out anew what is current: a file that an inquiry reads has changed.
     void recheck();
     bool is_busy() const { return runs_.is_busy(); }
     /// Waits until nothing runs, with an event loop of its own. False after `milliseconds`.
@@ -62,7 +62,7 @@ public:
 
 signals:
     void changed(const QString& analysis, const QString& id);
-    /// `name` of what runs; some ten times a second at most.
+    /// `name`: of the inquiry that runs; some ten times a second at most.
     void progress_changed(const QString& name, const covaria::ui::RunProgress& progress);
     void idle();
 
@@ -94,7 +94,7 @@ private:
     RunQueue runs_;
 };
 
-/// One whose results have a type.
+/// A runner whose results have a type.
 template <class Outcome>
 class InquiriesOf : public InquiryRunner {
 public:

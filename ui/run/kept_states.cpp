@@ -22,7 +22,7 @@ std::string time_of_now() {
     return to_std(QDateTime::currentDateTimeUtc().toString(Qt::ISODate));
 }
 
-/// The same numbers, whenever they were computed.
+/// Whether both have the same numbers, whenever they were computed.
 bool same_origin(const UncertaintyResult& a, const UncertaintyResult& b) {
     const std::string& fingerprint = a.provenance.project_fingerprint;
     return !fingerprint.empty() && fingerprint == b.provenance.project_fingerprint;
@@ -129,7 +129,7 @@ void KeptStates::stop() {
 }
 
 RunQueue::Run KeptStates::begin_run(const RunKey& key) {
-    if (runner_.is_computing()) return {};  // what is edited comes first
+    if (runner_.is_computing()) return {};  // present edits come first
     const KeptResult* kept = find(to_qt(key.analysis));
     const ProjectSnapshot project = kept && !kept->result ? kept->state.project : nullptr;
     const std::string compared = kept ? kept->state.compared() : std::string();

@@ -1,5 +1,5 @@
 // Results that were kept, each with the state of the project that it is of: what a later state is compared
-// with, and what can be gone back to. The project holds the states; their results are computed from them
+// with, and a user can go back to. The project holds the states; their results are computed from them
 // where they are not known.
 #pragma once
 
@@ -25,34 +25,34 @@ struct KeptResult {
     QDateTime at() const;  ///< local time
 };
 
-/// At most one for each analysis, as the project has them.
+/// Keeps at most one for each analysis, as the project has them.
 class KeptStates : public QObject {
     Q_OBJECT
 public:
     KeptStates(const AnalysisRunner& runner, const RunBackend& backend, Execution execution);
 
-    /// The project whose states these are.
+    /// Follows the project whose states these are.
     void follow(Document& document);
 
-    /// Only a result that counts is kept: of the project as it is now, with all its trials.
+    /// Whether there is a result that counts: of the project as it is now, with all its trials.
     bool can_keep(const QString& analysis) const;
-    /// An edit. Takes the place of what was kept of the analysis before.
+    /// An edit. Replaces the result that was kept of the analysis before.
     void keep(const QString& analysis);
-    /// Likewise: another analysis, of this project or of another one, stands in the place of what this one
-    /// was.
+    /// An edit: another analysis, of this project or of another one, is kept in place of a former state of
+    /// this one.
     void compare_with(const QString& analysis, const Project& project, const std::string& other,
                       const QString& name);
-    /// Likewise.
+    /// An edit. Forgets the kept state.
     void discard(const QString& analysis);
-    /// Null: nothing is kept.
+    /// The kept result; null: nothing is kept.
     const KeptResult* find(const QString& analysis) const;
-    /// What `now` is to be compared with; null where nothing is kept, or not known yet, or it is the same.
+    /// The result to compare `now` with; null where nothing is kept, or not known yet, or it is the same.
     ResultPointer before(const QString& analysis, const ResultPointer& now) const;
 
-    /// The analysis has a result: what is kept of it is computed, once nothing else is.
+    /// Wants the kept result of an analysis that has a result: it is computed once nothing else is.
     void want(const QString& analysis);
-    void begin() { runs_.begin(); }  ///< what is wanted
-    /// Nothing is wanted any more, until it is wanted again.
+    void begin() { runs_.begin(); }  ///< starts to compute what is wanted
+    /// Stops: nothing is wanted any more, until it is wanted again.
     void stop();
     void set_threads(int threads) { runs_.set_threads(threads); }
     bool is_busy() const { return runs_.is_busy(); }

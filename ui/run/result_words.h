@@ -1,4 +1,4 @@
-// How a shown result came about, and whether it is the result.
+// Words on how a shown result came about, and whether it is the result.
 #pragma once
 
 #include <QString>
@@ -9,10 +9,10 @@ namespace covaria::ui {
 
 /// "Monte Carlo, 20 000 trials"; of a preview, what it is a preview of.
 QString result_words(const AnalysisStatus& status);
-/// What must be said wherever a part of the result goes that is no report; empty for a current result.
+/// Warning wherever a part of the result goes that is no report; empty for a current result.
 QString reservation(const AnalysisStatus& status);
 
-/// A field is wrong: what is shown is of the state before, and is faint.
+/// Whether a field is wrong, so that the result shown is of the state before, and is faint.
 bool is_refused(const AnalysisStatus& status);
 inline constexpr double opacity_of_last = 0.45;
 

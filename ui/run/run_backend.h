@@ -1,4 +1,4 @@
-// What the runner calls in its worker threads: the core, or something scripted in tests.
+// The computations that the runner calls in its worker threads: the core, or something scripted in tests.
 #pragma once
 
 #include <functional>
@@ -16,7 +16,7 @@ struct RunBackend {
     std::function<Result<UncertaintyResult>(const PreparedAnalysis&, const RunControl&)> full;
 };
 
-/// core/made and core/propagation.
+/// The backend of core/made and core/propagation.
 RunBackend core_backend();
 
 }  // namespace covaria::ui

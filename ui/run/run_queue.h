@@ -16,7 +16,7 @@
 
 namespace covaria::ui {
 
-/// What is run: an analysis, or a study or design of one.
+/// Names a run: an analysis, or a study or design of one.
 struct RunKey {
     std::string analysis;
     std::string inquiry = {};
@@ -37,31 +37,31 @@ public:
     ~RunQueue() override;
 
     void push(const RunKey& key);
-    void begin();  ///< what waits
-    /// A change has come: what waits begins at once after a rest, and while changes follow each other closely
+    void begin();  ///< starts the next that waits
+    /// Follows a change: waiting runs begin at once after a rest, and while changes follow each other closely
     /// (typing, dragging) when they have ceased for a moment: the law of propagation has the processor to
     /// itself.
     void settle();
     bool waits(const RunKey& key) const;
-    /// Those that wait.
+    /// Keys of the runs that wait.
     const std::deque<RunKey>& waiting() const { return waiting_; }
     bool take_out(const RunKey& key);  ///< whether it waited
-    /// Asks the run of the key to stop; whether it runs.
+    /// Asks the run of the key to stop; tells whether it runs.
     bool stop(const RunKey& key);
     void stop_active() { stop_.request_stop(); }
-    /// What is being looked at comes before the others.
+    /// Runs of the analysis looked at come before the others.
     void set_focus(const std::string& analysis) { focus_ = analysis; }
     void set_threads(int threads) { threads_ = threads; }  ///< 0 = as many as the machine has
     bool is_busy() const { return active_ || !waiting_.empty(); }
-    /// From inside a run: called on the owner's thread.
+    /// Called from inside a run: `message` is then called on the owner's thread.
     void post(JobQueue::Delivery message) { jobs_.post(std::move(message)); }
 
 signals:
-    /// Some ten times a second at most.
+    /// Sent some ten times a second at most.
     void progress_changed(const covaria::ui::RunKey& key, const covaria::ui::RunProgress& progress);
     /// The run has thrown: memory that is not there, a defect of the program. `ended` follows.
     void failed(const covaria::ui::RunKey& key, const covaria::Error& error);
-    /// What the run delivered has been taken.
+    /// The run is over, and its delivery has been taken.
     void ended(const covaria::ui::RunKey& key);
     void idle();
 
@@ -74,7 +74,7 @@ private:
     std::optional<RunKey> active_;
     std::string focus_;
     int threads_ = 0;
-    quint64 number_ = 0;  ///< of the run: progress of a former one is not shown
+    quint64 number_ = 0;  ///< counts runs: progress of a former one is not shown
     std::stop_source stop_;
     QElapsedTimer time_;
     QTimer settling_;

@@ -31,7 +31,7 @@ struct SetEquations {
     double gap = 0.0;  ///< between two below each other
 };
 
-/// Below each other, in as many columns as the height asks for.
+/// Sets equations below each other, in as many columns as the height asks for.
 SetEquations set_in_columns(const std::vector<ModelEquation>& equations, const QFont& font, double height) {
     const double gap = std::clamp(0.6 * font.pointSizeF(), 4.0, 10.0);
     SetEquations made{{}, {}, {}, font, gap};
@@ -51,7 +51,7 @@ SetEquations set_in_columns(const std::vector<ModelEquation>& equations, const Q
     return made;
 }
 
-/// At the wanted size, or smaller if they do not fit into the room.
+/// Sets equations at the wanted size, or smaller if they do not fit into the room.
 SetEquations fitted(const std::vector<ModelEquation>& equations, QFont font, QSizeF room) {
     SetEquations made;
     for (const double size : {16.0, 14.0, 12.0, 10.5, 9.0, 8.0, 7.0}) {

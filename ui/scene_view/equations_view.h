@@ -15,7 +15,7 @@ public:
 
     /// `title`: over the equations, the name of the analysis.
     void show_equations(const QString& title, std::vector<ModelEquation> equations);
-    /// Of the pane for the equations at their usual size, where `width` is enough for the widest.
+    /// Height of the pane for the equations at their usual size, where `width` is enough for the widest.
     int height_wanted(int width) const;
     QSize sizeHint() const override { return {800, 500}; }
     QSize minimumSizeHint() const override { return {160, 90}; }

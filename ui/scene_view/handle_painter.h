@@ -1,4 +1,4 @@
-// What can be grasped of an item in the scene, painted and in words: the arrows that move it, the tips that
+// Handles of an item in the scene, painted and in words: the arrows that move it, the tips that
 // turn it.
 #pragma once
 

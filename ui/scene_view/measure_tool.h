@@ -30,7 +30,7 @@ public:
     /// The result that the view's scene shows; null: none.
     void set_result(const ResultPointer& result);
     void put_away();
-    /// The measurement, else which place to pick next; empty while the tool is not in use.
+    /// Words of the measurement, else which place to pick next; empty while the tool is not in use.
     QString words() const;
 
     std::function<MeasureStyle()> style = [] { return MeasureStyle{}; };

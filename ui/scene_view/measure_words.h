@@ -1,4 +1,4 @@
-// What the measuring tool of the scene says.
+// The words of the measuring tool of the scene.
 #pragma once
 
 #include <QString>
@@ -16,7 +16,7 @@ struct MeasureStyle {
 
 /// "1 234.567 mm, u = 0.012 mm", or the value alone. Lengths in `length` unless the user chose a unit.
 QString measured_value(const Measurement& measurement, const MeasureStyle& style, const LengthUnit& length);
-/// With what was measured, and why u is not stated.
+/// The value with the measured items before it, and with the reason where u is not stated.
 QString measured_words(const Measurement& measurement, const MeasureStyle& style, const LengthUnit& length);
 
 }  // namespace covaria::ui

@@ -1,4 +1,4 @@
-// What keys do to the camera of the scene.
+// The effects of keys on the camera of the scene.
 #pragma once
 
 #include <QPointF>
@@ -8,9 +8,9 @@
 
 namespace covaria::ui {
 
-/// 1 to 7.
+/// The view of a key from 1 to 7.
 std::optional<StandardView> view_of_key(int key);
-/// By which way of the mouse an arrow key turns it, pixels; null: it is none.
+/// Way of the mouse (pixels) that turns the camera as an arrow key does; null: it is none.
 QPointF orbit_of_key(int key);
 
 }  // namespace covaria::ui

@@ -30,7 +30,7 @@
 namespace covaria::ui {
 namespace {
 
-constexpr int usual_probability = 2;  // of the list: 95 %
+constexpr int usual_probability = 2;  // index in the list: 95 %
 
 /// While a field is wrong the last picture of the analysis stays, faint.
 bool keeps_last_picture(SceneView& view, const QString& analysis, const AnalysisStatus& status) {
@@ -49,7 +49,7 @@ QString triple(const Eigen::Vector3d& v, const LengthUnit& unit) {
         .arg(number(0), number(1), number(2), QString::fromStdString(unit.text));
 }
 
-/// To match their uncertainties, else to 10 um.
+/// Coordinates with digits to match their uncertainties, else to 10 um.
 QString coordinates(const Eigen::Vector3d& v, const std::optional<Eigen::Vector3d>& U,
                     const LengthUnit& unit) {
     const int decimals = std::max(0, static_cast<int>(std::lround(std::log10(1e5 / unit.per_metre))));
@@ -291,7 +291,7 @@ void ScenePanel::refresh_groups() {
     emit group_changed(group());
 }
 
-/// At the end of what is going on: a change and its first results come together.
+/// Builds the scene when present events are done: a change and its first results come together.
 void ScenePanel::refresh() {
     refresh_groups();
     if (std::exchange(refresh_due_, true)) return;
@@ -379,13 +379,13 @@ std::function<Result<Scene>()> ScenePanel::scene_to_build(const AnalysisStatus& 
     };
 }
 
-/// What they need: the rest is the budget's.
+/// Gives the equations the height that they need: the rest is the budget's.
 void ScenePanel::give_equations_room() {
     const int wanted = std::min(equations_->height_wanted(width()), height() / 2);
     flat_->setSizes({wanted, height() - wanted});
 }
 
-/// The scene with its tools; else the equations.
+/// Shows the scene with its tools; else the equations.
 void ScenePanel::show_in_space(bool in_space) {
     toolbar_->setVisible(in_space);
     view_->setVisible(in_space);
@@ -419,15 +419,15 @@ void ScenePanel::show_item(const QString& id) {
     describe_item(id);
 }
 
-/// What the tool in use says, else what is selected.
+/// Shows the words of the tool in use, else of the selected item.
 void ScenePanel::show_words() {
     const QString words = measuring_->words();
     if (words.isEmpty()) return describe_item(view_->selected());
     say(words);
 }
 
-/// In the line below the picture, which keeps its size: the shorter words where it has no room for all; what
-/// needs more grows over it.
+/// Writes in the line below the picture, which keeps its size: the shorter words where there is no room for
+/// all; longer ones grow over it.
 void ScenePanel::say(const QString& words, const QString& shorter) {
     picked_->setText(words);
     if (!shorter.isEmpty() && picked_->heightForWidth(width()) > line_->height()) picked_->setText(shorter);
@@ -449,7 +449,7 @@ void ScenePanel::say_nothing() {
 
 void ScenePanel::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
-    // When the layout has placed the line.
+    // Queued: until the layout has placed the line.
     QMetaObject::invokeMethod(this, &ScenePanel::place_words, Qt::QueuedConnection);
 }
 
@@ -470,7 +470,7 @@ void ScenePanel::describe_item(const QString& id) {
     say(place + u + U, place + U);
 }
 
-/// Its inputs: made again, as the run had them.
+/// Tells the inputs of a trial, made again as the run had them.
 void ScenePanel::show_trial(std::uint64_t trial) {
     const AnalysisStatus& status = runner_.status(analysis_);
     if (measuring_->is_active() || !status.prepared || !status.is_of_present()) return;
@@ -500,7 +500,7 @@ void ScenePanel::select_source(const std::string& asset, const std::string& path
     const auto group = asset.empty() ? groups_.find(path) : groups_.end();
     if (group != groups_.end() && to_qt(group->second) != this->group())
         return show_group(to_qt(group->second));
-    // What is selected stays so where it comes from nowhere, too: a plate, say.
+    // An item that no field states, a plate, say, stays selected.
     const SceneItem* selected =
         view_->scene() ? find_item(*view_->scene(), to_std(view_->selected())) : nullptr;
     if (!selected || !is_selected_source(*selected)) show_item({});

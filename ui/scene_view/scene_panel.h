@@ -32,19 +32,19 @@ class ScenePanel : public QWidget {
 public:
     explicit ScenePanel(AnalysisRunner& runner, QWidget* parent = nullptr);
 
-    /// Which analysis to show; empty = none.
+    /// Shows the scene of this analysis; empty = none.
     void show_analysis(const QString& id);
     const QString& analysis() const { return analysis_; }
     void show_group(const QString& group);
     QString group() const;
     void set_dark(bool dark);
-    /// That lengths are written in.
+    /// Sets the units in which lengths are written.
     void set_units(const DisplayUnits& units);
-    /// Another project: nothing of what was looked at stays.
+    /// Begins anew with another project: nothing of what was looked at stays.
     void start_over();
-    /// The map of a study in place of the analysis' result; null: the result again.
+    /// Shows the map of a study in place of the analysis' result; null: the result again.
     void show_study(std::shared_ptr<const StudyResult> study, const StudySceneOptions& wanted);
-    /// Likewise what a design has found; `remark` is written below the picture.
+    /// Shows the findings of a design in the same way; `remark` is written below the picture.
     void show_design(std::shared_ptr<const DesignResult> design, const QString& remark);
 
     /// Marks the item that comes from a field (JSON pointer relative to the set-up) of an asset (empty: of
@@ -54,9 +54,9 @@ public:
     /// The entry in whose set-up the shown layout is written.
     SetupAddress address_in(const std::string& asset) const;
 
-    /// A button in the tool bar with these views.
+    /// Adds a button with these views to the tool bar.
     void offer_views(QMenu& menu);
-    /// A page for what is nowhere in space, under its equations; it hides where it has nothing to say.
+    /// Puts a page for quantities that are nowhere in space below their equations; it hides without content.
     void put_below_equations(QWidget* page);
 
     SceneView& view() { return *view_; }
@@ -102,11 +102,11 @@ private:
     QString equations_of_;  ///< the analysis whose equations are shown
     std::shared_ptr<const StudyResult> study_;
     StudySceneOptions study_options_;
-    std::vector<LayoutMesh> context_;  ///< of the project
+    std::vector<LayoutMesh> context_;  ///< meshes of the project beside those of the analysis
     std::shared_ptr<const DesignResult> design_;
     QString design_remark_;
     DisplayUnits units_;
-    std::optional<double> drawn_magnification_;  ///< of the last scene that drew uncertainty
+    std::optional<double> drawn_magnification_;  ///< scale of the last scene that drew uncertainty
     std::string source_asset_, source_;          ///< the selected set-up field
     std::map<std::string, std::string> groups_;  ///< in which each source is shown
     LayerVisibility layers_;

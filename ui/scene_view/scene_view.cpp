@@ -25,7 +25,7 @@ namespace covaria::ui {
 namespace {
 
 constexpr qint64 least_pause_between_moves = 25;  // ms
-constexpr double reach_of_dot = 8.0;              // of a cloud
+constexpr double reach_of_dot = 8.0;              // around a dot of a cloud
 constexpr double reach_of_pointer = 14.0;         // pixels around an item in which it can be grasped
 constexpr double reach_of_arrow = 6.0;
 constexpr double zoom_per_key = 1.15;
@@ -265,7 +265,7 @@ void SceneView::mouseMoveEvent(QMouseEvent* event) {
     last_at_ = event->position();
 }
 
-/// Its name and its frame are written while the pointer is at it.
+/// Writes the name and the frame of an item while the pointer is at it.
 void SceneView::point_at(const QString& item) {
     if (item == std::exchange(pointed_item_, item)) return;
     service_.post([id = to_std(item)](SceneRenderer& renderer) { renderer.set_pointed(id); });
@@ -297,7 +297,7 @@ std::optional<std::string> SceneView::place_under(QPointF position) const {
         reach_of_pointer * devicePixelRatioF());
 }
 
-/// Not where the point of the cloud itself is meant.
+/// The trial whose dot is under the pointer; none where the pointer is at the point of the cloud itself.
 std::optional<std::uint64_t> SceneView::trial_under(QPointF position) const {
     if (!scene_ || image_.isNull() || picks_places_) return std::nullopt;
     const Pixel pixel = pixel_at(position);
@@ -425,7 +425,7 @@ void SceneView::mouseReleaseEvent(QMouseEvent* event) {
         service_.pick(at.x(), at.y());
     }
     if (moved_ && dragged_) {
-        // Where it has been already it is: the picture may have changed under a hand that rests.
+        // Not brought to the same place again: the picture may have changed under a hand that rests.
         if (brought_to_ != event->position()) bring_item_to(event->position(), event->modifiers());
         emit drag_finished();
         emit item_picked(selected_);  // its values stand in the form, to be typed
@@ -454,7 +454,7 @@ void SceneView::wheelEvent(QWheelEvent* event) {
     event->accept();
 }
 
-/// While a tool is in use, Escape is for it and stops no run.
+/// Takes Escape while a tool is in use: it then stops no run.
 bool SceneView::event(QEvent* event) {
     if (event->type() == QEvent::ShortcutOverride && picks_places_ &&
         static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape)
@@ -480,7 +480,7 @@ void SceneView::keyPressEvent(QKeyEvent* event) {
         QWidget::keyPressEvent(event);
 }
 
-/// Keys for what is selected.
+/// Acts on keys for the selected item; false: the key is none of them.
 bool SceneView::take_key(const QKeyEvent& event) {
     if (event.key() == Qt::Key_H && event.modifiers() == Qt::ShiftModifier)
         show_all();

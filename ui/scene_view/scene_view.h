@@ -32,12 +32,12 @@ public:
     ~SceneView() override;
 
     void show_scene(std::shared_ptr<const Scene> scene);
-    /// What is shown of it.
+    /// The part of the scene that is shown.
     const Scene* scene() const { return scene_.get(); }
     void set_visibility(const Visibility& visibility);
     void show_all();  ///< in the picture, where one thing was framed
     const Visibility& visibility() const { return visibility_; }
-    /// Whether anything that stands in the set-up of an asset is shown; empty: it has nothing in the scene.
+    /// Whether any item from the set-up of an asset is shown; empty: it has nothing in the scene.
     std::optional<bool> shows_asset(const QString& asset) const;
     void show_asset(const QString& asset, bool shown);
     void set_palette_kind(ScenePalette palette);
@@ -45,24 +45,24 @@ public:
     void set_view(StandardView view);
     void set_perspective(bool perspective);
     void show_view(const SavedView& view);
-    /// As it looks now.
+    /// The present view under this name.
     SavedView saved(const std::string& name) const;
     void fit();
     /// The faces of the cube in the corner that can be seen.
     std::vector<CubeFace> cube() const;
-    /// The next scene is of something else: seen from the usual side, with nothing selected.
+    /// Forgets the view: the next scene is another thing's, seen from the usual side, with nothing selected.
     void start_over();
     /// Marks an item without telling anybody; empty = none.
     void select(const QString& item_id);
     const QString& selected() const { return selected_; }
-    /// An item, not the camera.
+    /// Whether an item, not the camera, is dragged.
     bool is_dragging() const { return moved_ && dragged_; }
-    /// While a tool asks for places, a click picks one and moves nothing.
+    /// A click picks a place and moves nothing while a tool asks for places.
     void set_picks_places(bool picks);
     void set_measure(MeasureMark mark);
     /// px at its foot that words lie over: caption and scale bar stand above them.
     void set_covered(int height);
-    /// What is shown instead of a picture while there is no scene: what to do next.
+    /// Sets the text shown instead of a picture while there is no scene: what to do next.
     void set_empty_text(const QString& text);
     const QString& empty_text() const { return empty_text_; }
 
@@ -75,24 +75,24 @@ public:
     QSize sizeHint() const override { return {800, 500}; }
     QSize minimumSizeHint() const override { return {160, 120}; }
 
-    /// Of the last click, where it hit a dot of a cloud.
+    /// The trial of the last click, where it hit a dot of a cloud.
     std::optional<std::uint64_t> picked_trial() const { return picked_trial_; }
-    /// Its dots are ringed no more.
+    /// Takes the rings from the dots of the trial.
     void forget_trial();
 
 signals:
     /// The user clicked on an item (empty: on nothing).
     void item_picked(const QString& item_id);
-    /// Likewise, while places are picked.
+    /// The user clicked while places are picked.
     void place_picked(const QString& item_id);
     void tool_left();  ///< Escape
-    /// The user wants to type where an item is.
+    /// The user wants to type the position of an item.
     void coordinates_wanted(const covaria::SceneItem& item);
     void perspective_changed(bool perspective);
     void picture_saved(const QString& file, const QString& problem);
     /// The user drags an item (as it was when the drag began) to a point of W, known to about `step` m.
     void item_dragged(const covaria::SceneItem& item, const Eigen::Vector3d& p_W, double step);
-    /// Likewise to an orientation in W, known to about `step` rad.
+    /// The user turns an item to an orientation in W, known to about `step` rad.
     void item_turned(const covaria::SceneItem& item, const Eigen::Matrix3d& R_WF, double step);
     void drag_started();
     void drag_finished();
@@ -112,13 +112,13 @@ protected:
 
 private:
     static constexpr double reach_of_handles = 72.0;  ///< pixels in which an item keeps its handles
-    static constexpr double length_of_arrow = 58.0;   ///< that moves an item along an axis
+    static constexpr double length_of_arrow = 58.0;   ///< px, of the arrow that moves an item along an axis
     void send_size();
     void end_press();
     void send_scene();
     void take_image(const QImage& image, const Camera& camera);
     void hide_item(const QString& item_id);
-    /// Of an item whose place is written in a set-up; false: it is not.
+    /// Asks for the coordinates of an item that a set-up states; false: none does.
     bool want_coordinates(const QString& item_id);
     QString item_under(QPointF position) const;
     void show_alone(const QString& item_id);
@@ -129,14 +129,14 @@ private:
     std::optional<StandardView> face_under(QPointF position) const;
     bool take_key(const QKeyEvent& event);
     void drag_by(QPointF delta);
-    /// What a drag from there would move or turn.
+    /// The handle that a drag from there would grasp.
     std::optional<Handle> handle_under(QPointF position) const;
     bool is_near(const QString& item, QPointF position, double reach = reach_of_handles) const;
-    /// The one that the pointer is or was at, else the one selected.
+    /// The item that the pointer is or was at, else the one selected.
     QString item_with_handles() const;
     std::optional<std::uint64_t> trial_under(QPointF position) const;
     void paint_picture(QPainter& painter) const;
-    /// A ring around its dot in every cloud.
+    /// Paints a ring around the dot of a trial in every cloud.
     void paint_trial(QPainter& painter, std::uint64_t trial) const;
     void bring_item_to(QPointF position, Qt::KeyboardModifiers keys);
     void move_item_to(QPointF position, bool snaps);
@@ -147,22 +147,22 @@ private:
     void follow_pointer(QPointF position);
     void point_at(const QString& item);
     void post_moving(RenderService::Step step) { service_.post(std::move(step), RenderQuality::moving); }
-    /// Pan and zoom: from then on the user decides what is in the picture.
+    /// Posts a pan or zoom: from then on the user decides what is in the picture.
     void post_framing(RenderService::Step step);
     void finish_save(const QImage& image);
 
     std::shared_ptr<const Scene> whole_;
-    std::shared_ptr<const Scene> scene_;  ///< what is shown of it
+    std::shared_ptr<const Scene> scene_;  ///< the part of `whole_` that is shown
     Visibility visibility_;
     std::optional<StandardView> pointed_;  ///< face of the cube under the pointer
     QImage image_;
-    Camera camera_;  ///< of the image
+    Camera camera_;  ///< the camera of the image
     bool starts_over_ = false;
     int covered_ = 0;
     QString selected_;
-    QString pointed_item_;   ///< whose name is written because the pointer is at it
+    QString pointed_item_;   ///< its name is written because the pointer is at it
     QString reached_;        ///< the item whose handles show because the pointer came to it
-    int grasped_axis_ = -1;  ///< of the arrow under the pointer
+    int grasped_axis_ = -1;  ///< axis of the arrow under the pointer
     ScenePalette palette_ = {};
     LayerVisibility layers_;
     bool picks_places_ = false;
@@ -176,8 +176,8 @@ private:
     std::optional<Handle> moved_;  ///< being dragged: as it was
     QElapsedTimer since_move_;
     std::optional<std::uint64_t> picked_trial_;
-    std::optional<QPointF> brought_to_;  ///< by the drag that goes on
-    QPointF grip_;                       ///< from the pointer to its middle, device pixels
+    std::optional<QPointF> brought_to_;  ///< last place to which the present drag brought the item
+    QPointF grip_;                       ///< offset of the item's middle from the pointer, device pixels
     bool framed_ = true;  ///< everything is in the picture, and stays so when the pane changes its size
     Framing framing_;
     RenderService service_;

@@ -1,4 +1,4 @@
-// What a SceneView paints: the picture, and what lies over it.
+// Painting of a SceneView: the picture, and the marks over it.
 #include <QPainter>
 #include <algorithm>
 

@@ -35,7 +35,7 @@ QString in_u_of(double deviation) {
            QStringLiteral(" <i>u</i>");
 }
 
-/// By input: whether an output of the group depends on it.
+/// For each input: whether an output of the group depends on it.
 std::vector<bool> inputs_of_group(const PreparedAnalysis& analysis, const std::string& group) {
     std::vector<bool> of_group(analysis.inputs.quantities.size(), false);
     const auto& propagation = analysis.propagated->propagation();

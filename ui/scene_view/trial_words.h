@@ -1,4 +1,4 @@
-// One trial of a Monte Carlo run: what its inputs were.
+// The inputs of one trial of a Monte Carlo run, in words.
 #pragma once
 
 #include <QString>
@@ -13,8 +13,8 @@ struct TrialWords {
     QString all;   ///< HTML: more of them, with their values, for a tip
 };
 
-/// Of the run with the analysis' seed: the inputs that the outputs of `group` depend on, to first order.
-/// Empty where the trial cannot be made again.
+/// Words on a trial of the run with the analysis' seed: inputs that outputs of `group` depend on, to first
+/// order. Empty where the trial cannot be made again.
 TrialWords trial_words(const PreparedAnalysis& analysis, const std::string& group, std::uint64_t trial);
 
 }  // namespace covaria::ui

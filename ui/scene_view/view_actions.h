@@ -18,7 +18,7 @@ class ViewActions : public QObject {
 public:
     ViewActions(Document& document, SceneView& view, QObject* parent);
 
-    /// Whose views are offered and where new ones are saved; empty: none.
+    /// Sets the analysis whose views are offered and which gets new ones; empty: none.
     void set_analysis(const QString& id);
     QMenu& menu() { return *menu_; }
     /// The name of a view to save, with a suggestion; empty: none. A dialog unless a test replaces it.

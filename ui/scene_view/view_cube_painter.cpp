@@ -8,7 +8,7 @@
 namespace covaria::ui {
 namespace {
 
-constexpr double room = 64.0;  // of the cube whichever way it is turned
+constexpr double room = 64.0;  // room for the cube whichever way it is turned
 constexpr double cube_edge = room / 1.75;
 constexpr double cube_margin = 16.0;
 constexpr QSize least_view(360, 240);
@@ -60,7 +60,7 @@ void paint_cube(QPainter& painter, const std::vector<CubeFace>& faces, std::opti
     for (const CubeFace& face : faces) {
         const bool is_pointed = face.view == pointed;
         QColor fill = is_pointed ? accent : ground;
-        // As if lit from above.
+        // The top face is lighter, as if lit from above.
         if (!is_pointed) fill = face.view == StandardView::top ? fill.lighter(106) : fill.darker(104);
         fill.setAlphaF(0.92F);
         painter.setPen(QPen(is_pointed ? accent.darker(120) : line, 1.2));

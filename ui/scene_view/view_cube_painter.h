@@ -12,7 +12,7 @@ class QPainter;
 
 namespace covaria::ui {
 
-/// Where the cube is in a view of this size, in its pixels: top right. Empty: there is no room.
+/// Place of the cube in a view of this size, in its pixels: top right. Empty: there is no room.
 QRectF cube_place(QSize view);
 /// The faces turned to the eye.
 std::vector<CubeFace> cube_in(const QRectF& place, const Camera& camera);

@@ -17,7 +17,7 @@ QString visibility_words(const Scene& whole, const Visibility& visibility) {
 }
 
 namespace {
-constexpr int lines_of_title = 3;  // of the scene, and of what is shown of it, with their margin
+constexpr int lines_of_title = 3;  // title of the scene and of its shown part, with their margin
 constexpr int room_of_cube = 96;
 }  // namespace
 

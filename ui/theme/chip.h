@@ -13,7 +13,7 @@ public:
     enum class Kind { met, not_met, neutral };
     explicit Chip(QWidget* parent = nullptr);
 
-    /// Hidden without words. `sign`: an icon of the set; empty: that of the kind.
+    /// Shows the words; hidden without any. `sign`: an icon of the set; empty: that of the kind.
     void show_words(Kind kind, const Text& words, const QString& sign = {});
     Kind kind() const { return kind_; }
     const Text& words() const { return words_; }

@@ -15,13 +15,13 @@ namespace covaria::ui {
 
 inline constexpr const char* core_context = "core";
 
-/// As it is where the catalogue has no such text: names that people gave, symbols.
+/// Text of the core in the window's language; names and symbols that no catalogue has stay as they are.
 QString core_text(std::string_view english);
-/// Likewise, for what goes on as UTF-8.
+/// The same as UTF-8.
 std::string core_words(std::string_view english);
-/// Likewise; a text with symbols in it stays.
+/// The same for a title; one with scripts stays as it is.
 Text core_title(const Text& english);
-/// The charts of models and assets: titles, axes, legends, marks.
+/// The charts of models and assets in the window's language: titles, axes, legends, marks.
 std::vector<PlotSpecification> core_plots(std::vector<PlotSpecification> english);
 
 }  // namespace covaria::ui

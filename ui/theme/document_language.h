@@ -6,10 +6,10 @@
 
 namespace covaria::ui {
 
-/// That of a project's certificate and report, with its numbers; English where its catalogue is not in the
-/// program. For any thread.
+/// Language of a project's certificate and report, with its numbers; English where its catalogue is not in
+/// the program. For any thread.
 DocumentLanguage document_language(const Project& project);
-/// That of the window.
+/// Language of the window, with the user's numbers.
 DocumentLanguage language_of_window();
 
 }  // namespace covaria::ui

@@ -5,7 +5,7 @@
 
 namespace covaria::ui {
 
-/// It ends in "…" then, in the weight of its beginning; the whole is the owner's to give as a tooltip. Takes
+/// Its text ends in "…" then, in the weight of its beginning; the owner gives the whole as a tooltip. Takes
 /// any width.
 class ElidedLabel : public QLabel {
     Q_OBJECT

@@ -24,7 +24,7 @@ void draw_check_box(const QStyleOption& option, QPainter& painter) {
     const double side = std::min(option.rect.width(), option.rect.height());
     const QRectF box(option.rect.x(), option.rect.y(), side, side);
     const bool marked = option.state & (QStyle::State_HasFocus | QStyle::State_MouseOver);
-    // In a selected row it is an outline: filled with the ground of the others it would look ticked.
+    // A selected row has an outline: filled with the ground of other boxes it would look ticked.
     const bool selected = option.state & QStyle::State_Selected;
     const QColor line = enabled && marked ? t.blue : selected ? t.ink3 : t.field_line;
     draw_box(painter, box, selected ? QColor(Qt::transparent) : t.stage, line);
@@ -44,7 +44,7 @@ void draw_button(const QStyleOption& option, QPainter& painter) {
     const bool first = enabled && button && (button->features & QStyleOptionButton::DefaultButton);
     const bool pointed =
         enabled && (option.state & (QStyle::State_MouseOver | QStyle::State_Sunken | QStyle::State_On));
-    // What is wrong in a field stands on its button's colour.
+    // A complaint tints this role of the field's palette, so that its buttons show it, too.
     const QColor ground = option.palette.color(QPalette::Button);
     const QColor fill = first ? mix(t.blue, t.ink, pointed ? 0.15 : 0.0) : pointed ? t.hover : ground;
     draw_box(painter, option.rect, fill, first ? fill : enabled ? t.field_line : t.line2);
@@ -81,7 +81,7 @@ void draw_cell(const QStyleOptionViewItem& cell, QPainter& painter, const QWidge
         painter.fillRect(QRect(cell.rect.left(), cell.rect.top(), mark_width, cell.rect.height()), t.blue);
 }
 
-/// Of a tree the row before its first cell, with the branches.
+/// The ground of a selected row of a tree, with the branches before its first cell.
 void draw_row(const QStyleOption& option, QPainter& painter, const QWidget* widget) {
     const auto* tree = qobject_cast<const QTreeView*>(widget);
     if (!tree || !(option.state & QStyle::State_Selected)) return;
@@ -117,7 +117,7 @@ void draw_head(const QStyleOption& option, QPainter& painter) {
                      across ? t.line2 : t.line);
 }
 
-/// Of the window: the bars' colour, and a line towards what is below.
+/// Ground of a bar; bars of the window have their own colour and a line below.
 void draw_bar(const QStyleOption& option, QPainter& painter, const QWidget* widget) {
     const Tokens& t = tokens_of(option.palette);
     const bool of_window = widget && qobject_cast<const QMainWindow*>(widget->parentWidget());

@@ -1,4 +1,4 @@
-// What the style draws by itself, in the tokens of the theme.
+// Parts that the style draws by itself, in the tokens of the theme.
 #pragma once
 
 #include <QStyle>
@@ -17,7 +17,7 @@ void draw_chevron(QPainter& painter, const QRectF& rect, const QColor& colour, Q
 /// A field that can be typed into or opened: its line says that it has the keyboard.
 void draw_field(QPainter& painter, const QStyleOption& option, bool focused);
 
-/// False: not one of ours.
+/// False: the element is none of ours.
 bool draw_flat(QStyle::PrimitiveElement element, const QStyleOption& option, QPainter& painter,
                const QWidget* widget);
 bool draw_flat(QStyle::ControlElement element, const QStyleOption& option, QPainter& painter,

@@ -16,7 +16,7 @@ constexpr int beside_page = 16, below_page = 12;       // px around a page
 constexpr int around_title = 16;                       // px above and below it together: 32 at the usual size
 constexpr int chevron_width = 22, around_chevron = 8;  // px
 
-/// By title, which groups the user has opened or folded.
+/// Groups that the user has opened or folded, by title.
 QHash<QString, bool>& left_open() {
     static QHash<QString, bool> left;
     return left;

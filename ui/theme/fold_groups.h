@@ -30,19 +30,19 @@ class FoldGroups : public QWidget {
     Q_OBJECT
 public:
     explicit FoldGroups(QWidget* parent = nullptr);
-    /// Open or folded as the user left the last one of this title, else as `open` says. Without a title it
-    /// has no head and is always seen.
+    /// Adds a group, open or folded as the user left the last one of this title, else as `open` says. Without
+    /// a title it has no head and is always seen.
     int add(QWidget* page, const QString& title, bool open = false);
     int count() const { return static_cast<int>(groups_.size()); }
     QWidget* page(int group) const { return at(group).page; }
     QString title(int group) const;
-    /// Null: it has no title.
+    /// Head of a group; null: it has no title.
     FoldHead* head(int group) const { return at(group).head; }
     bool is_open(int group) const;
     void open(int group);
-    /// Unless the user has folded it.
+    /// Opens the group unless the user has folded it.
     void offer(int group);
-    /// A group that is not used is hidden with its head.
+    /// Hides a group that is not used, with its head.
     void set_shown(int group, bool shown);
     void set_summary(int group, const QString& words);
     /// Opens all groups around a widget.

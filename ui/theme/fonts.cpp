@@ -34,14 +34,14 @@ bool measure_figures(const QString& family) {
 }
 
 bool has_tabular_figures(const QString& family) {
-    static QHash<QString, bool> known;  // of the window's thread and of those that print
+    static QHash<QString, bool> known;  // shared by the window's thread and those that print
     static QMutex mutex;
     const QMutexLocker lock(&mutex);
     const auto found = known.constFind(family);
     return found != known.constEnd() ? *found : *known.insert(family, measure_figures(family));
 }
 
-/// Of letters that our families lack: Han letters have another form in each language.
+/// Family of letters that our families lack: Han letters have another form in each language.
 QString han_family() {
     switch (QLocale().language()) {
         case QLocale::Korean:

@@ -8,7 +8,7 @@
 
 namespace covaria::ui {
 
-/// Of the window.
+/// The user's choice of the window's font.
 struct FontChoice {
     QString family = {};  ///< empty: ours
     int points = 0;       ///< 0: the desktop's
@@ -17,7 +17,7 @@ struct FontChoice {
 
 /// Family of running text.
 QString text_family();
-/// The same, and those that its missing letters come from.
+/// The family of running text, and those that its missing letters come from.
 QStringList text_families();
 QStringList figures_families();
 /// Family of numbers: the first whose figures are all equally wide.
@@ -29,11 +29,11 @@ QFont application_font(const FontChoice& chosen = {});
 /// units and captions. The first two are semibold.
 enum class TextSize { answer, title, text, small };
 QFont sized(QFont font, TextSize size);
-/// Of formulae beside that text: a serif, as much larger as its small letters are lower.
+/// Font of formulae beside that text: a serif, as much larger as its small letters are lower.
 QFont formula_font(QFont font);
-/// Likewise of the symbol of a quantity in running text: italic.
+/// Font of the symbol of a quantity in running text: that serif in italics.
 QFont symbol_font(QFont font);
-/// Same size and weight, with figures of equal width: numbers in tables, ticks, read-outs.
+/// The font with figures of equal width: for numbers in tables, ticks, read-outs.
 QFont with_tabular_figures(QFont font);
 
 }  // namespace covaria::ui

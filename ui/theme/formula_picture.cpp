@@ -109,7 +109,7 @@ private:
         return left;
     }
 
-    /// Below or above what has this font.
+    /// Letters below or above a box that has this font.
     Box script(const std::string& letters, const QFont& font) const {
         Box box;
         for (const ScriptPart& part : script_parts(letters))
@@ -184,7 +184,7 @@ private:
         return box;
     }
 
-    /// Either may be empty.
+    /// The base with its scripts, of which either may be empty.
     Box with_scripts(Box base, const Box& below, const Box& above, const QFont& font) const {
         Box box = base;
         const double x = base.width + 0.03 * em(font);

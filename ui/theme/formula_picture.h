@@ -28,17 +28,17 @@ public:
     void paint(QPainter& painter, QPointF top_left, const QColor& color) const;
 
     struct Piece {
-        QPointF at;  ///< of its baseline
+        QPointF at;  ///< left end of its baseline
         QString text;
         QFont font;
-        double stretch = 1.0;  ///< of its letters, upwards and downwards
+        double stretch = 1.0;  ///< of letters in height: 1 is none
     };
     struct Box {
         double width = 0.0, ascent = 0.0, descent = 0.0;
         QVector<Piece> texts;
         QPainterPath filled;  ///< fraction bars
         QPainterPath drawn;   ///< root signs
-        double pen = 0.0;     ///< of what is drawn
+        double pen = 0.0;     ///< width of the lines drawn
     };
 
 private:

@@ -14,7 +14,7 @@
 namespace covaria::ui {
 namespace {
 
-constexpr double small_size = 0.72, lowering = 0.16, raising = 0.36;  // of the font's size
+constexpr double small_size = 0.72, lowering = 0.16, raising = 0.36;  // parts of the font's size
 
 }  // namespace
 
@@ -56,7 +56,7 @@ double text_width(const Text& text, const QFont& font) {
 Text shortened(const Text& text, const QFont& font, double width) {
     if (text.empty() || text_width(text, font) <= width) return text;
     const std::string letters = text.letters();
-    std::vector<std::size_t> begins;  // of characters
+    std::vector<std::size_t> begins;  // first byte of each character
     for (std::size_t at = 0; at < letters.size();
          at += character_length(std::string_view(letters).substr(at)))
         begins.push_back(at);

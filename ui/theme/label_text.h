@@ -12,8 +12,8 @@ class QPointF;
 
 namespace covaria::ui {
 
-/// Of a model's item or head whose text has scripts: a covaria::Text. Others show what they display, as
-/// running text.
+/// Role of a model's item or head whose text has scripts: a covaria::Text. Others show their text as running
+/// text.
 constexpr int typeset_role = Qt::UserRole + 1000;
 
 class LabelText {
@@ -42,7 +42,7 @@ private:
 double text_width(const Text& text, const QFont& font);
 /// `text` cut in the middle, marked by an ellipsis, where it is wider than `width`.
 Text shortened(const Text& text, const QFont& font, double width);
-/// Likewise, of labels beside each other: those that would look alike are cut where they are alike.
+/// Labels beside each other, shortened likewise: those that would look alike are cut where they are alike.
 std::vector<Text> shortened_apart(const std::vector<Text>& texts, const QFont& font, double width);
 /// Lines no wider than `width` where words allow it.
 std::vector<Text> wrapped(const Text& text, const QFont& font, double width);

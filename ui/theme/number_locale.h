@@ -1,4 +1,4 @@
-// How a locale of Qt writes numbers, in the words of the core.
+// The way in which a locale of Qt writes numbers, in the words of the core.
 #pragma once
 
 #include <QLocale>
@@ -16,7 +16,7 @@ inline NumberLocale number_locale(const QLocale& locale) {
     return written;
 }
 
-/// How the user's locale writes numbers.
+/// The way in which the user's locale writes numbers.
 inline NumberLocale user_numbers() {
     return number_locale(QLocale());
 }
@@ -30,7 +30,7 @@ inline QLocale locale_of(NumberForm form) {
     return locale;
 }
 
-/// For every number that the window shows or reads from now on.
+/// Applies the form to every number that the window shows or reads from now on.
 inline void apply_number_form(NumberForm form) {
     static NumberForm applied = NumberForm::system;
     if (form != std::exchange(applied, form) || form != NumberForm::system)

@@ -1,4 +1,4 @@
-// What an output is called where one is chosen: "x, TCP".
+// The name of an output where one is chosen: "x, TCP".
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace covaria::ui {
 
-/// Its symbol, and its group in the language of the window where it has one.
+/// Symbol of an output, and its group in the language of the window where it has one.
 Text output_words(const std::string& symbol, const Name& group);
 
 }  // namespace covaria::ui

@@ -1,5 +1,5 @@
-// What the user prefers, whatever the project: how the window looks and what new analyses begin with. Nothing
-// here changes a result, a report or a file.
+// The preferences of the user, whatever the project: the look of the window and the start of new analyses.
+// Nothing here changes a result, a report or a file.
 #pragma once
 
 #include <QObject>
@@ -16,11 +16,11 @@ namespace covaria::ui {
 enum class NumberForm { system, point, comma };
 
 struct Preferences {
-    QString language = {};                     ///< code; empty: the system's. Of the next start
+    QString language = {};                     ///< code, for the next start; empty: the system's
     QString theme = QStringLiteral("system");  ///< or "light", "dark"
     FontChoice font = {};
     NumberForm numbers = NumberForm::system;
-    // Of results in the window, where the project does not state them.
+    // Units of results in the window, where the project does not state them.
     DisplayUnits units = {};
     int digits = 2;  ///< significant ones of uncertainties
     int autosave_seconds = 1;
@@ -29,7 +29,7 @@ struct Preferences {
     std::uint64_t trials = 1'000'000;
 
     bool operator==(const Preferences& other) const;
-    /// Those of the last session; what is missing or senseless there is as it is here.
+    /// Preferences of the last session; missing or senseless ones are as here.
     static Preferences stored();
     void store() const;
 };
@@ -38,15 +38,15 @@ inline constexpr int smallest_font = 7, largest_font = 24;  ///< points
 inline constexpr std::uint64_t fewest_trials = 1'000, most_trials = 1'000'000'000;
 inline constexpr int longest_autosave = 600;  ///< seconds
 
-/// Where all parts of the window look them up, and hear of a change.
+/// Holds the preferences for all parts of the window, and tells them of a change.
 class PreferenceStore : public QObject {
     Q_OBJECT
 public:
     explicit PreferenceStore(QObject* parent = nullptr);
     const Preferences& now() const { return now_; }
-    /// What a new analysis begins with.
+    /// The options that a new analysis begins with.
     EvaluationOptions new_analysis() const;
-    /// Remembered and applied at once.
+    /// Remembers and applies them at once.
     void set(const Preferences& wanted);
 
 signals:

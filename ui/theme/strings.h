@@ -16,7 +16,7 @@ inline QString to_qt(const std::string& text) {
 inline QString to_qt(std::string_view text) {
     return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
 }
-/// In the language of the window.
+/// The message in the language of the window.
 QString to_qt(const Message& message);
 inline std::string to_std(const QString& text) {
     return text.toStdString();
@@ -28,8 +28,8 @@ inline QString from_path(const std::filesystem::path& file) {
     return QString::fromStdString(file.string());
 }
 
-/// Of functions that belong to no class, which have a `tr` of their own; the context is that of the
-/// catalogues.
+/// Translates texts of functions that belong to no class; classes have a `tr` of their own. The context is
+/// that of the catalogues.
 inline QString tr(const char* text) {
     return QCoreApplication::translate("covaria::ui", text);
 }

@@ -42,7 +42,7 @@ void Style::drawControl(ControlElement element, const QStyleOption* option, QPai
         QProxyStyle::drawControl(element, option, painter, widget);
 }
 
-/// Labels that are shortened, or have another ink than what they stand on says.
+/// Draws labels that are shortened, or have another ink than the palette of their ground says.
 bool Style::draw_label(ControlElement element, const QStyleOption& option, QPainter& painter,
                        const QWidget* widget) const {
     const Tokens& t = tokens_of(option.palette);
@@ -50,7 +50,7 @@ bool Style::draw_label(ControlElement element, const QStyleOption& option, QPain
         box && element == CE_ComboBoxLabel && !box->editable) {
         QStyleOptionComboBox shown = *box;
         const int beside =
-            box->currentIcon.isNull() ? 2 : box->iconSize.width() + 6;  // as the base style leaves
+            box->currentIcon.isNull() ? 2 : box->iconSize.width() + 6;  // px, as in the base style
         const int room = subControlRect(CC_ComboBox, box, SC_ComboBoxEditField, widget).width() - beside;
         shown.currentText = box->fontMetrics.elidedText(box->currentText, Qt::ElideRight, room);
         QProxyStyle::drawControl(element, &shown, &painter, widget);

@@ -8,7 +8,7 @@
 namespace covaria::ui {
 
 namespace {
-constexpr int most_closer = 20;  // of the style's padding of a tab, both sides together
+constexpr int most_closer = 20;  // px taken from the style's padding of a tab, both sides together
 
 }  // namespace
 

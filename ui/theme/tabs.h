@@ -17,11 +17,11 @@ class TabBar : public QTabBar {
 public:
     explicit TabBar(QWidget* parent = nullptr);
 
-    /// Of those that are shown for this entry.
+    /// Whether the tab is in the menu, because it has no room in the bar.
     bool is_in_menu(int index) const;
     /// px that a tab is narrower than the style has it.
     int closer() const { return closer_; }
-    /// px by which all are seen.
+    /// px in which all tabs can be seen.
     int closest_width() const;
     QToolButton& menu_button() { return *more_; }
     QSize minimumSizeHint() const override;
@@ -42,7 +42,7 @@ private:
     bool fitting_ = false;
 };
 
-/// With a TabBar, as a document's.
+/// A tab widget with a TabBar, in Qt's document mode.
 class Tabs : public QTabWidget {
     Q_OBJECT
 public:

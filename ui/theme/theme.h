@@ -13,7 +13,7 @@ class QApplication;
 
 namespace covaria::ui {
 
-/// What everything in the window is coloured with. Inks reach a contrast of 4.5 on every ground.
+/// The colours of everything in the window. Inks reach a contrast of 4.5 on every ground.
 struct Tokens {
     QColor chrome;             ///< bars
     QColor panel;              ///< tree, inspector, forms
@@ -22,7 +22,7 @@ struct Tokens {
     QColor line2;              ///< below heads, around totals, zero of a chart
     QColor field_line;         ///< around what can be typed into or pressed
     QColor hover;              ///< under the mouse, a neutral chip, a shaded range
-    QColor ink;                ///< what is read first
+    QColor ink;                ///< text to be read first
     QColor ink2;               ///< labels, heads, axis titles
     QColor ink3;               ///< units, hints, what cannot be used
     QColor blue;               ///< outputs, focus, links
@@ -30,7 +30,7 @@ struct Tokens {
     QColor fill;               ///< outputs in charts
     QColor tint;               ///< the selected row
     QColor orange;             ///< inputs; fills only, never text
-    QColor type_a;             ///< of them those evaluated by Type A
+    QColor type_a;             ///< inputs evaluated by Type A
     QColor green, green_tint;  ///< a requirement is met, and the ground of its chip
     QColor red, red_tint;      ///< it is not, or something failed
 };
@@ -39,12 +39,12 @@ class Theme {
 public:
     static Theme light();
     static Theme dark();
-    /// The one whose ground is that of the palette's windows.
+    /// The theme whose ground is that of the palette's windows.
     static Theme of(const QPalette& palette);
 
     bool is_dark() const { return dark_; }
-    /// How numbers in charts are written: as the language of the document does; as the user writes them in
-    /// the window.
+    /// Writing of numbers in charts: that of the document's language, or in the window that of the user's
+    /// locale.
     const NumberLocale& numbers() const { return numbers_; }
     Theme with_numbers(const NumberLocale& numbers) const;
     const Tokens& tokens() const { return tokens_; }
@@ -68,7 +68,7 @@ private:
     NumberLocale numbers_;
 };
 
-/// Those of the theme whose panels have the colour of the palette's windows.
+/// Tokens of the theme whose panels have the colour of the palette's windows.
 const Tokens& tokens_of(const QPalette& palette);
 
 /// Contrast ratio of two colours, 1 to 21 (WCAG 2.1).

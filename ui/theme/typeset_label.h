@@ -15,7 +15,7 @@ public:
 
     void show_text(const Text& text);
     const Text& text() const { return text_; }
-    /// Ink of what is read second, or last.
+    /// Chooses the ink of texts that are read second, or last.
     void set_rank(int rank);
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;

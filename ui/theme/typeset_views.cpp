@@ -25,7 +25,7 @@ QStyle* style_of(const QWidget* widget) {
     return widget ? widget->style() : QApplication::style();
 }
 
-/// What a model gives as text with scripts, or what it shows, read as running text.
+/// Text that a model gives with scripts; else the one it shows, read as running text.
 Text text_from(const QVariant& typeset, const QVariant& shown) {
     return typeset.isValid() ? typeset.value<Text>() : running_text(to_std(shown.toString()));
 }
@@ -40,7 +40,7 @@ void draw_typeset(QPainter& painter, const Text& text, const QFont& font, const 
     label.draw(painter, {left, area.top() + 0.5 * (area.height() - label.height())});
 }
 
-/// With a symbol or a script in it: drawn by hand, not by the style.
+/// Whether it has a symbol or a script: it is then drawn by hand, not by the style.
 bool is_typeset(const Text& text) {
     return !text.empty() && !text.is_plain();
 }
@@ -53,7 +53,7 @@ QColor text_colour(const QStyleOptionViewItem& option) {
         group, option.state & QStyle::State_Selected ? QPalette::HighlightedText : QPalette::Text);
 }
 
-/// What the edges of its view, and a column that lies over it, leave of `whole`: it is drawn as if it began
+/// The part of `whole` that the edges of its view, and a column over it, leave: it is drawn as if it began
 /// and ended there.
 QRect seen_part(const QRect& whole, const QWidget* view) {
     const auto* area = qobject_cast<const QAbstractScrollArea*>(view);

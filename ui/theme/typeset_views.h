@@ -22,7 +22,7 @@ public:
     void paint(QPainter* painter, const QStyleOptionViewItem& option,
                const QModelIndex& index) const override;
     QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;
-    /// What has no room in its cell is whole there, before the cell's own help.
+    /// Shows a text that has no room in its cell whole, before the cell's own help.
     bool helpEvent(QHelpEvent* event, QAbstractItemView* view, const QStyleOptionViewItem& option,
                    const QModelIndex& index) override;
 
@@ -44,7 +44,7 @@ protected:
 
 private:
     Text text_of(int section) const;
-    /// With scripts, or shortened where the edge of the view cuts it.
+    /// Whether a head is drawn by hand: with scripts, or cut by the edge of the view.
     bool draws_text(int section) const;
 };
 

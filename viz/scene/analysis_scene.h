@@ -10,12 +10,12 @@
 namespace covaria {
 
 /// Layout at the estimates, ellipsoids of `result` and clouds of its first trials. `result` may be null:
-/// layout only. Clouds are drawn only of results that Monte Carlo made. With `compared` also the ellipsoids
+/// layout only. Clouds are drawn only of results that Monte Carlo made. `compared` adds the ellipsoids
 /// of the results before. Error: the model has no value at the estimates.
 Result<Scene> analysis_scene(const PreparedAnalysis& analysis, const UncertaintyResult* result,
                              const SceneOptions& options, const ResultComparison* compared = nullptr);
 
-/// Of every set-up field that a point comes from: the first group that shows it.
+/// The first group that shows each set-up field from which a point comes.
 std::map<std::string, std::string> groups_of_sources(const PreparedAnalysis& analysis);
 
 }  // namespace covaria

@@ -7,9 +7,9 @@
 namespace covaria::detail {
 namespace {
 
-// Of the reach, as arms with six axes have them.
+// Radii as parts of the reach, as arms with six axes have them.
 constexpr double base_radius = 0.056, flange_radius = 0.026, tool_radius = 0.010;
-constexpr double at_joint = 2e-3;  // of the reach
+constexpr double at_joint = 2e-3;  // part of the reach: places that count as one
 constexpr double along = 0.9;      // cosine: an axis along a link turns it, one across bends the arm
 
 /// Numbers of links, one after the other from the base.
@@ -37,7 +37,7 @@ std::vector<Arm> arms_of(const Scene& scene) {
     return arms;
 }
 
-/// Where on an arm, and how thick it is there.
+/// A joint of an arm, with the arm's thickness there.
 struct Joint {
     Eigen::Vector3d at;
     Eigen::Vector3d before = Eigen::Vector3d::Zero(), after = Eigen::Vector3d::Zero();  ///< ways of links
@@ -87,7 +87,7 @@ private:
         return joints;
     }
 
-    /// Whether the axis is one of this arm's.
+    /// Makes a drum of an axis, or a collar. False: the axis is not one of this arm's.
     bool make_drum(SceneLink& axis, const std::vector<Joint>& joints) {
         const Eigen::Vector3d middle = (axis.from + axis.to) / 2, z = (axis.to - axis.from).normalized();
         const auto joint = std::ranges::find_if(
@@ -108,7 +108,7 @@ private:
         return true;
     }
 
-    /// What the flange carries begins where the last link ends that an axis passes through.
+    /// Makes the last link a tool if no axis passes its beginning, but one passes that of the link before.
     void make_tool() {
         if (arm_.links.size() < 3) return;
         SceneLink& last = scene_.links[arm_.links.back()];

@@ -16,7 +16,7 @@ constexpr double frame_length = 0.11;
 constexpr double point_radius = 0.011, least_point_radius = 0.0045;
 constexpr double reflector_radius = 0.019;  // m: a ball is no larger than it is, where it is seen so
 constexpr double plate_thickness = 0.012;
-constexpr double seat_height = 0.75;  // of the radius of its ball
+constexpr double seat_height = 0.75;  // part of the radius of its ball
 constexpr double plate_margin = 0.032;
 // An instrument is as large as it is, as far as it can be made out and does not hide what it measures.
 constexpr double instrument_size = 0.36;  // m
@@ -79,12 +79,12 @@ Eigen::Vector3d seat_axis(const SceneBuild& build, const Eigen::Vector3d& p_W) {
     return Eigen::Vector3d::UnitZ();
 }
 
-/// Of the balls of a scene.
+/// Radius of the balls of a scene.
 double ball_radius_in(const Scene& scene) {
     return std::clamp(reflector_radius, least_point_radius * scene.size, point_radius * scene.size);
 }
 
-/// Of those.
+/// Radius of points of a kind, relative to that of the usual ones.
 double radius_of(PointKind kind) {
     switch (kind) {
         case PointKind::ball:
@@ -183,7 +183,7 @@ double link_radius(LinkKind kind) {
     switch (kind) {
         case LinkKind::leg:
             return 0.011;
-        case LinkKind::robot_link:  // of an arm without joints: a tool
+        case LinkKind::robot_link:  // a tool: a link of an arm without joints
             return 0.012;
         case LinkKind::bar:
             return 0.006;
@@ -269,7 +269,7 @@ void add_meshes(SceneBuild& build, const std::vector<LayoutMesh>& meshes) {
     }
 }
 
-/// Points on the outline of a body, axes at its place, and lines that start from it and from no other.
+/// Attaches points on the outline of a body, axes at its place, and lines that start from it and no other.
 void attach_to_bodies(SceneBuild& build) {
     Scene& scene = build.scene;
     const double near = 1e-6 * scene.size;
@@ -310,7 +310,7 @@ void turn_to_targets(Scene& scene) {
 /// Plates at the bottom stand on feet, everything on a floor.
 void add_floor(Scene& scene) {
     if (scene.bodies.empty() && scene.points.empty() && scene.links.empty()) return;
-    constexpr double upright = 0.95, at_bottom = 0.02;  // of the scene's size
+    constexpr double upright = 0.95, at_bottom = 0.02;  // the second as a part of the scene's size
     const double bottom = lowest_of(scene);
     for (SceneBody& body : scene.bodies)
         if (!body.outline.empty() && !body.encloses && body.normal.z() > upright &&

@@ -12,12 +12,12 @@
 namespace covaria::detail {
 namespace {
 
-constexpr double smallest_seen = 0.003;   // of the scene's size: two or three pixels of a picture of all
-constexpr double instrument_hides = 0.2;  // of its size
-constexpr double seen_trials = 0.01;      // of a cloud
+constexpr double smallest_seen = 0.003;   // part of the scene's size: two or three pixels of a picture of all
+constexpr double instrument_hides = 0.2;  // part of its size
+constexpr double seen_trials = 0.01;      // part of a cloud
 const Phrase distributions_of{"distributions of %1"};
 
-/// What hides an uncertainty that is smaller: the ball of its point, the instrument that stands there.
+/// The bodies that hide smaller uncertainties: the balls of points, and the instruments.
 class Covers {
 public:
     explicit Covers(const Scene& scene) : least_(smallest_seen * scene.size) {

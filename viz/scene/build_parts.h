@@ -16,13 +16,13 @@ struct VectorTip {
     SceneItem item;
 };
 
-/// What all parts share.
+/// The inputs and the scene that all parts of a build share.
 struct SceneBuild {
     const SceneSource& source;
     const SceneOptions& options;
     const PointUncertainties& uncertainties;
     const PointUncertainties&
-        before;  ///< of the results that are compared with; of none where there are none
+        before;  ///< uncertainties in the results that are compared with; of none where there are none
     Scene& scene;
     std::set<std::string> ids = {};
     std::vector<VectorTip> tips = {};
@@ -43,13 +43,13 @@ void add_wall_histograms(SceneBuild& build);
 void add_labels(SceneBuild& build);
 /// Axes around everything, in place of those there were; unit of length, scale bar.
 void add_axes(Scene& scene);
-/// The one that is asked for, else the one that is held, else the automatic one.
+/// The magnification asked for, else the one that is held, else the automatic one.
 double magnification_of(const SceneOptions& options, double automatic);
 /// "ellipsoids 95 %, × 4 000".
 std::string magnified_ellipsoids_words(const Scene& scene, const SceneOptions& options);
-/// That not all points show their uncertainty, where that is so.
+/// Adds a note that not all points show their uncertainty, where that is so.
 void note_what_is_drawn(Scene& scene, std::size_t drawn, std::size_t all, const DocumentLanguage& in);
-/// Of a colour bar, at round numbers.
+/// Ticks of a colour bar, at round numbers.
 std::vector<AxisTick> colour_ticks(const SceneMap& map, const NumberLocale& numbers);
 void add_legend(SceneBuild& build);
 

@@ -1,4 +1,4 @@
-// From a layout and a result to a Scene: pure, for every model.
+// Makes a Scene of a layout and a result: pure, for every model.
 #pragma once
 
 #include <Eigen/Core>
@@ -18,15 +18,15 @@ namespace covaria {
 
 struct SceneOptions {
     std::string group = {};     ///< output group to show ("pose 7"); empty = the first
-    double probability = 0.95;  ///< of ellipsoids
+    double probability = 0.95;  ///< coverage probability of ellipsoids
     std::optional<double> magnification =
         {};  ///< empty = automatic (a round number, so that the largest ellipsoid is seen)
-    /// In place of the automatic one: of the picture before, while something is dragged in it.
+    /// Held in place of the automatic one: that of the picture before, while something is dragged in it.
     std::optional<double> held_magnification = {};
     bool ellipsoids = true, clouds = true, wall_histograms = true, labels = true, links = true, bodies = true;
     std::size_t cloud_limit = 20'000;  ///< points of each cloud; more trials are thinned evenly
     std::string histograms_of = {};    ///< name of the point; empty = the first with output quantities
-    DocumentLanguage language = {};    ///< of its texts; names stay
+    DocumentLanguage language = {};    ///< language of the scene's texts; names stay
     DisplayUnits units = {};  ///< inches where the unit of lengths is one of theirs, else metres by size
     std::vector<RequirementResult> verdicts = {};  ///< on the result: what is not met is marked
     std::vector<LayoutMesh> context = {};  ///< drawn around a layout that is not empty (context_meshes)
@@ -40,8 +40,8 @@ struct SceneSource {
     const Eigen::MatrixXd* input_trials = nullptr;
     const Eigen::MatrixXd* output_trials = nullptr;
     std::string title = {};
-    const SceneMap* map = nullptr;  ///< of a study
-    /// With `result` as what came after: ellipsoids of both are drawn. Null: nothing is compared.
+    const SceneMap* map = nullptr;  ///< the map of a study
+    /// Comparison with `result` as the later one: ellipsoids of both are drawn. Null: nothing is compared.
     const ResultComparison* compared = nullptr;
     const std::vector<LinkedPoint>* linked = nullptr;  ///< points that the analysis takes from others
 };

@@ -13,26 +13,26 @@
 namespace covaria::detail {
 namespace {
 
-// For the automatic magnification:
-// Of the scene's size, the mean of the two longest semi-axes of the largest ellipsoid: it takes about a
-// twentieth of a picture of the whole.
+// The automatic magnification:
+// The mean of the two longest semi-axes of the largest ellipsoid is this part of the scene's size: it takes
+// about a twentieth of a picture of the whole.
 constexpr double largest_mean_axis = 0.105;
-constexpr double same_place = 0.01;        // of the scene's size: points that cannot be told apart anyway
-constexpr double room_to_neighbour = 0.7;  // of the distance
+constexpr double same_place = 0.01;        // part of the scene's size: such points cannot be told apart
+constexpr double room_to_neighbour = 0.7;  // part of the distance
 constexpr double most_reduction = 6.0;     // below which ellipsoids would hardly be seen
-constexpr double beyond_ball = 1.2;        // of its radius: where an ellipsoid is seen around a point
+constexpr double beyond_ball = 1.2;        // multiple of its radius: an ellipsoid is seen around a point
 
 /// The points with an ellipsoid, with the item that `add_points` made for each.
 struct UncertainPoint {
     const LayoutPoint* point;
     const SceneItem* drawn;
     Role role;
-    double radius;  ///< of the ball that is drawn there, m
+    double radius;  ///< radius of the ball that is drawn there, m
     CoverageEllipsoid ellipsoid;
-    CoverageEllipsoid before = {};  ///< of rank 0: nothing is compared
+    CoverageEllipsoid before = {};  ///< has rank 0 where nothing is compared
 
     double longest() const { return std::max(ellipsoid.axes.col(0).norm(), before.axes.col(0).norm()); }
-    /// As it is seen from the side where it is largest; half of a line, which has no second axis.
+    /// Mean radius seen from the side where it is largest; half of a line, which has no second axis.
     double mean_axis() const {
         const auto of = [](const CoverageEllipsoid& each) {
             const double first = each.axes.col(0).norm();
@@ -72,7 +72,7 @@ std::vector<UncertainPoint> uncertain_points(const SceneBuild& build) {
     return found;
 }
 
-/// Of these, in ratio: near enough to what is wanted, and short to write.
+/// A round ratio: near enough to the one wanted, and short to write.
 double nearest_magnification(double wanted) {
     constexpr std::array steps{1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0};
     const double decade = std::pow(10.0, std::floor(std::log10(wanted)));
@@ -116,7 +116,7 @@ double automatic_magnification(const std::vector<UncertainPoint>& points, double
     return std::max(nearest_magnification(wanted), limits ? round_number_above(first_seen) : 0.0);
 }
 
-/// Around the places of the outputs, with air, where they are a small part of the whole.
+/// A box around the places of the outputs, with air, where they are a small part of the whole.
 std::optional<SceneBounds> focus_of(const std::vector<UncertainPoint>& points, double size) {
     constexpr double small = 0.2, margin = 0.3;
     constexpr std::size_t fewest = 3;
@@ -148,7 +148,7 @@ const Eigen::MatrixXd* trials_of(const SceneBuild& build, const UncertainPoint& 
 void add_cloud(SceneBuild& build, const UncertainPoint& p) {
     std::array<std::size_t, 3> rows{};
     const auto estimates = build.uncertainties.estimates_of(*p.point);
-    if (!estimates) return;  // of other analyses, which have their own trials
+    if (!estimates) return;  // points of other analyses have their own trials
     const Eigen::MatrixXd* trials = trials_of(build, p, rows);
     if (!trials) return;
     const auto available = static_cast<std::size_t>(trials->cols());
@@ -214,7 +214,7 @@ void add_uncertainties(SceneBuild& build) {
     const auto points = uncertain_points(build);
     Scene& scene = build.scene;
     scene.focus = focus_of(points, scene.size);
-    constexpr double largest_ball = 0.02;  // of what is looked at
+    constexpr double largest_ball = 0.02;  // part of the size of what is looked at
     const double looked_at = scene.focus ? (scene.focus->high - scene.focus->low).norm() : scene.size;
     scene.magnification = magnification_of(build.options, automatic_magnification(points, looked_at));
     const auto draw = [&](const UncertainPoint& p, Role role, const CoverageEllipsoid& ellipsoid,

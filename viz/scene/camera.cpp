@@ -13,8 +13,8 @@ namespace {
 
 constexpr double smallest_half_height = 1e-9;
 constexpr double largest_half_height = 1e9;
-constexpr double tangent_of_view = 0.26794919243112270;  // of 15 degrees
-constexpr double nearest_to_eye = 1e-3;                  // of the eye's distance from the focal point
+constexpr double tangent_of_view = 0.26794919243112270;  // tangent of 15 degrees
+constexpr double nearest_to_eye = 1e-3;                  // part of the eye's distance from the focal point
 
 double aspect(PictureSize size) {
     return static_cast<double>(size.width) / std::max(1, size.height);
@@ -55,7 +55,7 @@ ViewDirections directions_of(StandardView view) {
         case StandardView::iso:
             break;
     }
-    // Not quite isometric: from 25 degrees right of front, so that equal triangles do not fall on a line.
+    // The view is not quite isometric: 25 degrees right of front keep equal triangles from falling on a line.
     return {{-0.62, 1.0, -0.52}, z};
 }
 
@@ -114,7 +114,7 @@ Camera fitted(const Camera& camera, const SceneBounds& bounds, PictureSize size,
     result.half_height = 0.0;
     for (const Eigen::Vector3d& corner : corners_of(bounds)) {
         const Eigen::Vector3d d = corner - result.focal_point;
-        // In a perspective, what is nearer to the eye is drawn larger.
+        // A perspective draws nearer things larger.
         const double nearer = camera.perspective ? -tangent_of_view * d.dot(camera.direction) : 0.0;
         const double half = std::max(for_height * std::abs(d.dot(camera.up)),
                                      for_width * std::abs(d.dot(camera.right())) / aspect(size));

@@ -17,7 +17,7 @@ namespace covaria {
 enum class StandardView { iso, top, front, right, bottom, back, left };
 inline constexpr std::size_t standard_view_count = 7;
 std::optional<StandardView> standard_view_from(std::string_view key);  ///< "iso", "top", "front" ...
-/// Of the picture of a standard view: direction from the eye and the one that is up.
+/// Directions of a standard view: from the eye into the scene, and the one that is up in the picture.
 struct ViewDirections {
     Eigen::Vector3d direction, up;
 };
@@ -27,9 +27,9 @@ struct Camera {
     Eigen::Vector3d focal_point = Eigen::Vector3d::Zero();  ///< seen in the middle of the picture, m
     Eigen::Vector3d direction = -Eigen::Vector3d::UnitZ();  ///< unit vector, from the eye into the scene
     Eigen::Vector3d up = Eigen::Vector3d::UnitY();          ///< unit vector, perpendicular to direction
-    double half_height = 1.0;                               ///< of the picture, m at the focal point
+    double half_height = 1.0;                               ///< half of the picture, m at the focal point
     bool perspective = false;  ///< with an angle of view of 30 degrees from its bottom to its top
-    /// In a perspective: of the eye from the focal point, m.
+    /// Distance of the eye from the focal point in a perspective, m.
     double eye_distance() const;
     Eigen::Vector3d right() const { return direction.cross(up); }
     bool operator==(const Camera&) const = default;
@@ -47,7 +47,7 @@ struct PictureSize {
     bool operator==(const PictureSize&) const = default;
 };
 
-/// At the focal point; in a perspective less before it and more behind it, as at `p_W`.
+/// Size of a pixel at the focal point; in a perspective less before it and more behind it, as at `p_W`.
 double metres_per_pixel(const Camera& camera, PictureSize size);
 double metres_per_pixel(const Camera& camera, PictureSize size, const Eigen::Vector3d& p_W);
 Pixel project(const Camera& camera, PictureSize size, const Eigen::Vector3d& p_W);
@@ -55,34 +55,34 @@ Pixel project(const Camera& camera, PictureSize size, const Eigen::Vector3d& p_W
 Eigen::Vector3d world_at(const Camera& camera, PictureSize size, Pixel pixel,
                          const Eigen::Vector3d& through_W);
 
-/// Whence and whither one looks through a pixel: towards the scene.
+/// The line of sight through a pixel: its origin, and its direction into the scene.
 struct Ray {
     Eigen::Vector3d origin, direction;
 };
 Ray ray_through(const Camera& camera, PictureSize size, Pixel pixel);
 
-/// Looking along a standard direction with the whole box in the picture.
+/// The camera that looks along a standard direction with the whole box in the picture.
 Camera view_of(const SceneBounds& bounds, StandardView view, PictureSize size, double room = 0.0,
                bool perspective = false);
 std::array<Eigen::Vector3d, 8> corners_of(const SceneBounds& bounds);
-/// Same direction, the whole box in the picture with a margin for captions: `room` pixels at least (letters
-/// do not shrink with the picture), though never more than a quarter of a side.
+/// The camera in the same direction with the whole box in the picture and a margin for captions: `room`
+/// pixels at least (letters do not shrink with the picture), though never more than a quarter of a side.
 Camera fitted(const Camera& camera, const SceneBounds& bounds, PictureSize size, double room = 0.0);
 
 /// The same picture with `foot` more pixels below it.
 Camera with_foot(const Camera& camera, PictureSize size, int foot);
 
-/// Is the high side of a box along `axis` (0 x, 1 y, 2 z) farther from the eye than its low side? Where
+/// Whether the high side of a box along `axis` (0 x, 1 y, 2 z) is farther from the eye than the low. Where
 /// neither is, the answer puts the axes of the plane views below and to the left.
 bool far_side_is_high(const Camera& camera, int axis);
 
 /// Drag by (dx, dy) pixels: turns about the focal point, z stays upright (a full picture width = 360 deg).
 Camera orbited(const Camera& camera, PictureSize size, double dx, double dy);
-/// What is under the pointer follows it.
+/// Drag by (dx, dy) pixels: the object under the pointer follows it.
 Camera panned(const Camera& camera, PictureSize size, double dx, double dy);
 /// factor > 1 shows things larger.
 Camera zoomed(const Camera& camera, double factor);
-/// What is under the pixel, in the plane through the focal point, stays there.
+/// Zooms about a pixel: the point under it, in the plane through the focal point, stays there.
 Camera zoomed(const Camera& camera, double factor, PictureSize size, Pixel about);
 
 }  // namespace covaria

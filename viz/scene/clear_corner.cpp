@@ -9,12 +9,12 @@
 namespace covaria {
 namespace {
 
-// Of the size it would have in the whole picture. A long scene, which fills the width of a picture that is
-// not much wider than high, needs 0.7 to pass below a legend of six lines.
+// Least scale against the whole picture. A long scene, which fills the width of a picture that is not
+// much wider than high, needs 0.7 to pass below a legend of six lines.
 constexpr double smallest = 0.65;
 constexpr double step = 6.0;  // pixels
 
-/// Of a projected box, and how far it reaches.
+/// A projected box with its ends in the picture.
 struct Shape {
     std::array<Pixel, 8> corners;
     double left = 0.0, right = 0.0, bottom = 0.0;
@@ -35,7 +35,7 @@ Shape shape_of(const Camera& camera, const SceneBounds& bounds, PictureSize size
 /// any two corners include the edges of the shape.
 bool is_clear(const Shape& shape, double dx, double dy, double right, double bottom) {
     if (shape.left + dx >= right) return true;
-    // Of a convex shape, the part to the left of `right` is highest at a corner or where a line crosses it.
+    // The part of a convex shape to the left of `right` is highest at a corner or where a line crosses it.
     for (const Pixel& a : shape.corners) {
         if (a.x + dx < right && a.y + dy < bottom) return false;
         for (const Pixel& b : shape.corners) {
@@ -74,7 +74,7 @@ Camera clear_of_corner(const Camera& camera, const SceneBounds& bounds, PictureS
         const auto way = way_out(shape, size, right, bottom, room);
         if (!way) continue;
         const Camera moved = panned(farther, size, way->x, way->y);
-        // In a perspective, what is far away has moved less than that.
+        // Parts far away have moved less than that in a perspective.
         constexpr double rounding = 1e-6;
         if (is_clear(shape_of(moved, bounds, size), 0.0, 0.0, right - rounding, bottom - rounding))
             return moved;

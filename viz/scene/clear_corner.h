@@ -8,7 +8,7 @@ namespace covaria {
 
 /// A fitted camera, moved so that the box is beside or below `taken`, which stands in the upper left corner;
 /// a little farther away where that needs more room than there is. `room`: pixels beside and below the box
-/// that belong to it, its figures. As it was where nothing is covered, or where that would make the scene too
+/// that belong to it, its figures. Unchanged where nothing is covered, or where that would make the scene too
 /// small.
 Camera clear_of_corner(const Camera& camera, const SceneBounds& bounds, PictureSize size,
                        const ScreenRect& taken, double room);

@@ -8,7 +8,7 @@ namespace covaria {
 namespace {
 
 constexpr std::size_t cells = 448;
-constexpr double reach_of_floor = 1.05;  // of the diagonal of the scene's floor plan, to each side
+constexpr double reach_of_floor = 1.05;  // part of the diagonal of the scene's floor plan, to each side
 
 /// Bodies up to some height above the floor, of the scene's size, with how dark and how wide they are there.
 struct Storey {

@@ -8,7 +8,7 @@
 
 namespace covaria {
 
-/// Those of all its assets, in the order of the project, named after their assets. What was not made has
+/// Meshes of all assets of the project, in its order, named after their assets. Assets not made have
 /// none.
 std::vector<LayoutMesh> context_meshes(const MadeProject& made);
 

@@ -19,7 +19,7 @@ namespace {
 constexpr double point_radius = 0.011;  // fractions of the extent of what is drawn
 constexpr double near_point = 0.004;    ///< places of a path so near to the one before are left out
 constexpr double path_radius = 0.0022;
-constexpr int most_names = 3;  ///< of candidates that were not chosen
+constexpr int most_names = 3;  ///< limit of names of candidates that were not chosen
 
 double extent_of(const DesignResult& design) {
     Eigen::AlignedBox3d box;
@@ -147,7 +147,7 @@ void add_obstacles(Scene& scene, const DesignResult& design) {
     }
 }
 
-/// Of those that were not chosen the best few by name; those chosen have the names of their instruments.
+/// Names the best few that were not chosen; chosen ones have the names of their instruments.
 void name_rows(Scene& scene, const DesignResult& design, const DocumentLanguage& in) {
     std::vector<const DesignGain*> others;
     for (const DesignGain& gain : design.gains)

@@ -12,7 +12,7 @@
 namespace covaria {
 namespace {
 
-/// By the ids of its items: whether each is in the picture.
+/// Whether each item is in the picture, by its id.
 std::map<std::string, bool> items_in_picture(const Scene& scene, const Camera& camera, PictureSize size) {
     std::map<std::string, bool> seen;
     const auto add = [&](const auto& items) {
@@ -28,13 +28,13 @@ std::map<std::string, bool> items_in_picture(const Scene& scene, const Camera& c
     return seen;
 }
 
-/// Out of the picture now, and not for a turn of the camera.
+/// Whether an item is out of the picture now, and not for a turn of the camera.
 bool has_left(const std::pair<const std::string, bool>& item, const std::map<std::string, bool>& before) {
     const auto found = before.find(item.first);
     return !item.second && (found == before.end() || found->second);
 }
 
-/// How far something reaches across the picture and up it, m.
+/// Extent of things across the picture and up it, m.
 class Extent {
 public:
     explicit Extent(const Camera& camera) : right_(camera.right()), up_(camera.up) {}

@@ -1,4 +1,4 @@
-// When a picture is framed anew: the view that somebody has stays while what it shows is edited.
+// Decides when a picture is framed anew: a user's view stays while the scene in it is edited.
 #pragma once
 
 #include <functional>
@@ -9,13 +9,13 @@
 
 namespace covaria {
 
-/// What was looked at before: scene by scene, of the same thing or of another.
+/// Remembers the scene before, and compares: it was one of the same thing, or of another.
 class Framing {
 public:
     /// Asked with the camera that looks at the scene when it comes.
     using Judgement = std::function<bool(const Camera&, PictureSize)>;
 
-    /// Whether the next scene needs to be framed. `framed`: nobody has chosen what is in the picture. `held`:
+    /// Tells whether to frame the next scene. `framed`: nobody has chosen what is in the picture. `held`:
     /// something is being dragged, and nothing moves but that; what has left the picture by then is seen when
     /// the first scene comes that is not held.
     Judgement next(std::shared_ptr<const Scene> scene, bool framed, bool held);
@@ -27,7 +27,7 @@ private:
 
 /// The same direction; what is drawn of a scene fills `inside` of the picture as far as it can. Orthographic.
 Camera filling(const Camera& camera, const Scene& scene, PictureSize size, const ScreenRect& inside);
-/// The same of a box.
+/// The same for a box.
 Camera filling(const Camera& camera, const SceneBounds& bounds, PictureSize size, const ScreenRect& inside);
 
 }  // namespace covaria

@@ -17,7 +17,7 @@ bool is_pose(const LayoutSource& source) {
     return source.draggable && source.path.find("/rows/") == std::string::npos;
 }
 
-/// For the list of undo.
+/// The item with a name for the list of undo steps.
 SceneItem named(SceneItem item) {
     item.name = name_of(item);
     return item;
@@ -52,9 +52,9 @@ Eigen::Vector3d direction_in_plane(const Camera& camera, PictureSize size, Pixel
     return ray.origin + along * ray.direction - origin;
 }
 
-constexpr double arrow_begins = 0.3, shortest_arrow = 0.25;  // of its length
+constexpr double arrow_begins = 0.3, shortest_arrow = 0.25;  // parts of an arrow's length
 
-/// How far along the axis through the item the pointer is, m.
+/// Coordinate of the pointer along the axis through the item, m.
 double along_axis(const Handle& arrow, const Camera& camera, PictureSize size, Pixel pixel) {
     const Ray ray = ray_through(camera, size, pixel);
     const Eigen::Vector3d axis = arrow.item.source.X_WS.linear().col(arrow.axis);

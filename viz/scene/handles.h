@@ -1,4 +1,4 @@
-// What of a scene can be grasped with the mouse to move or to turn it, and where it goes.
+// The handles by which the mouse moves and turns things of a scene, and the places where they go.
 #pragma once
 
 #include <functional>
@@ -15,13 +15,13 @@ namespace covaria {
 /// where its field is a pose.
 struct Handle {
     SceneItem item;
-    std::optional<SceneFrame> frame = {};  ///< to turn: its axes
+    std::optional<SceneFrame> frame = {};  ///< has axes by whose tips it turns; empty: it is moved
     int tip = 0;                           ///< the axis whose tip is grasped: 0 x, 1 y, 2 z
-    int axis = -1;                         ///< of its field, along which alone it moves; -1: it moves freely
+    int axis = -1;                         ///< field's axis along which alone it moves; -1: it moves freely
     bool turns() const { return frame.has_value(); }
 };
 
-/// What shows that an item can be grasped: arrows along the axes of its field, and the tips of its own axes
+/// The marks on an item that can be grasped: arrows along the axes of its field, and the tips of its own axes
 /// that turn it.
 struct HandleMarks {
     struct Arrow {
@@ -35,20 +35,20 @@ struct HandleMarks {
 /// nobody can write.
 HandleMarks handle_marks(const Scene& scene, const Camera& camera, PictureSize size, const std::string& item,
                          double length);
-/// To move the item along the arrow that is at the pixel.
+/// The handle that moves the item along the arrow at the pixel.
 std::optional<Handle> arrow_at(const Scene& scene, const Camera& camera, PictureSize size, Pixel pixel,
                                const std::string& item, double length, double reach);
-/// Where the item of an arrow goes, in W, when the pointer goes from one pixel to another.
+/// New place, in W, of an arrow's item when the pointer goes from one pixel to another.
 Eigen::Vector3d moved_along(const Handle& arrow, const Camera& camera, PictureSize size, Pixel from,
                             Pixel to);
 
-/// Tips of axes before items; `preferred`: the id of an item that is taken before others within reach (the
-/// selected one).
+/// The handle under a pixel: tips of axes before items; `preferred`: the id of an item that is taken before
+/// others within reach (the selected one).
 std::optional<Handle> handle_at(const Scene& scene, const Camera& camera, PictureSize size, Pixel pixel,
                                 const std::function<bool(Layer)>& shown, const std::string& preferred,
                                 double reach);
 
-/// About which axis of its frame a tip turns: that of the other two which points most to or from the eye.
+/// Axis of its frame about which a tip turns: that of the other two which points most to or from the eye.
 int turning_axis(const Handle& handle, const Camera& camera);
 
 /// The turn in W, about the origin of the frame and that one of its other two axes that points most to or

@@ -39,7 +39,7 @@ ScreenRect at_place(const LabelRequest& request, const Place& place, double dist
             request.width, request.height};
 }
 
-/// What is there already, and the labels that come to it.
+/// The places taken so far, and the labels that are added to them.
 class Placement {
 public:
     Placement(const ScreenRect& inside, std::vector<ScreenRect> taken, std::vector<ScreenLine> drawn,

@@ -1,4 +1,4 @@
-// Where labels go so that they collide with nothing: greedy, in screen space.
+// Placement of labels so that they collide with nothing: greedy, in screen space.
 #pragma once
 
 #include <array>
@@ -9,12 +9,12 @@
 
 namespace covaria {
 
-/// In pixels, y down.
+/// A rectangle in pixels, y down.
 struct ScreenRect {
     double x = 0.0, y = 0.0, width = 0.0, height = 0.0;
     bool overlaps(const ScreenRect& other) const;
     bool contains(const ScreenRect& other) const;
-    ScreenRect grown(double across, double upright) const;  ///< to each side
+    ScreenRect grown(double across, double upright) const;  ///< by so much to each side
     bool operator==(const ScreenRect&) const = default;
 };
 
@@ -24,7 +24,7 @@ ScreenRect square_about(Pixel middle, double half);
 struct ScreenLine {
     Pixel from, to;
     double half_width = 0.0;
-    /// From which to which part of its length its middle is in `rect`: 0 ... 1.
+    /// Part of its length, from 0 to 1, on which its middle is in `rect`; nullopt: none.
     std::optional<std::array<double, 2>> part_in(const ScreenRect& rect) const;
     bool crosses(const ScreenRect& rect) const;
 };
@@ -34,11 +34,11 @@ struct LabelRequest {
     double width = 0.0, height = 0.0;
     double clearance = 0.0;  ///< distance to keep from the anchor
     int priority = 0;
-    double gap = 0.0;        ///< to the next label on its line: touching ones are read as one
+    double gap = 0.0;        ///< distance to the next label on its line: touching ones are read as one
     bool is_needed = false;  ///< whatever it covers
 };
 
-/// From the anchor to a label that stands apart from it.
+/// The line from the anchor to a label that stands apart from it.
 std::optional<ScreenLine> leader_of(const LabelRequest& request, const ScreenRect& label);
 
 /// Positions in the order of the requests; empty where there was no room within `inside` and outside of

@@ -1,5 +1,5 @@
-// What of a layout can be drawn: pictures are computed in single precision, and whose squares of distances
-// overflow has no picture.
+// The part of a layout that can be drawn: pictures are computed in single precision, in which squares of
+// large distances overflow.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,17 +11,17 @@
 
 namespace covaria::detail {
 
-/// Of places and of differences between them.
+/// Whether a place, or a difference of two, is near enough to be drawn.
 bool is_near(const Eigen::Vector3d& place);
 
 /// A layout without what is too far away to be drawn.
 struct NearPart {
     Layout layout;
-    std::vector<std::string> left_out;  ///< by name; not empty
+    std::vector<std::string> left_out;  ///< names of things that are too far away; not empty
 };
-/// Nothing: all of it is near.
+/// The near part of a layout; nothing: all of it is near.
 std::optional<NearPart> near_part(const Layout& layout);
-/// Beside a picture.
+/// Words beside a picture on what it leaves out.
 Message words_of_left_out(const std::vector<std::string>& left_out);
 
 }  // namespace covaria::detail

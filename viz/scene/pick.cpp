@@ -21,7 +21,7 @@ public:
         return {at.x - pixel_.x, at.y - pixel_.y};
     }
     double depth(const Eigen::Vector3d& p) const { return (p - camera_.focal_point).dot(camera_.direction); }
-    /// Of a length at a place.
+    /// Pixels of a length at a place.
     double pixels(double metres, const Eigen::Vector3d& p) const {
         return metres / metres_per_pixel(camera_, size_, p);
     }
@@ -42,7 +42,7 @@ private:
     Ray ray_;
 };
 
-/// Of the best rank what the pixel lies on or least beside, then what is nearest to the eye.
+/// Keeps the item of the best rank that the pixel lies on or least beside, then the one nearest to the eye.
 class Best {
 public:
     /// `aside`: pixels from the pixel to what is drawn of the item.
@@ -141,7 +141,7 @@ std::optional<std::string> pick_item(const Scene& scene, const Camera& camera, P
         for (const SceneFrame& frame : scene.frames) {
             if (const double away = view.offset(frame.item.position).norm(); away <= reach)
                 best.offer(1, away, view.depth(frame.item.position), frame.item.id);
-            // Its axes are drawn where it is pointed at: before them comes what is there to be seen.
+            // A frame's axes are drawn while it is pointed at: other items that can be seen there come first.
             for (int i = 0; i < 3; ++i) {
                 const auto [away, depth] = view.to_segment(
                     frame.item.position, frame.item.position + frame.length * frame.R_WF.col(i));

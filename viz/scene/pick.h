@@ -1,4 +1,4 @@
-// Which item is under a pixel: by geometry, without OpenGL.
+// The item under a pixel: by geometry, without OpenGL.
 #pragma once
 
 #include <functional>

@@ -1,5 +1,5 @@
-// What to draw, as plain data: no VTK, no Qt. Lengths in metres, in the world frame W; roles instead of
-// colours.
+// The things to draw, as plain data: no VTK, no Qt. Lengths in metres, in the world frame W; roles instead
+// of colours.
 #pragma once
 
 #include <Eigen/Core>
@@ -16,7 +16,7 @@
 
 namespace covaria {
 
-/// What a mark means; the palette of viz/vtk gives each role a colour on a light and on a dark ground.
+/// The meaning of a mark; the palette of viz/vtk gives each role a colour on a light and on a dark ground.
 enum class Role {
     axis_x,
     axis_y,
@@ -36,7 +36,7 @@ enum class Role {
     quiet_text
 };
 
-/// What can be shown and hidden as a whole.
+/// A part of the picture that can be shown and hidden as a whole.
 enum class Layer {
     frames,
     points,
@@ -57,10 +57,10 @@ inline constexpr std::size_t layer_count = 14;
 /// Key of a layer in settings and dumps: "wall_histograms".
 const char* layer_key(Layer layer);
 
-/// What a pick tells about an item.
+/// The facts about an item that a pick tells.
 struct SceneItem {
     std::string id = {};  ///< unique in the scene: "point:b1", "link:leg 3"
-    Name name = {};       ///< as in the layout
+    Name name = {};       ///< its name in the layout
     Name group = {};
     Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< in W, m
     /// Standard and expanded uncertainties of the three coordinates, m, along the axes in which the point's
@@ -77,7 +77,7 @@ struct SceneItem {
 struct SceneFrame {
     SceneItem item;
     Eigen::Matrix3d R_WF = Eigen::Matrix3d::Identity();
-    double length = 0.0;  ///< of the arrows, m
+    double length = 0.0;  ///< length of the arrows, m
     bool operator==(const SceneFrame&) const = default;
 };
 
@@ -85,7 +85,7 @@ struct ScenePoint {
     SceneItem item;
     PointKind kind = PointKind::other;
     double radius = 0.0;                               ///< m
-    Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();   ///< of its seat: the normal of the plate it sits on
+    Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();   ///< seat's axis: the normal of the plate it sits on
     std::optional<PointCoordinates> coordinates = {};  ///< its quantities, in the result of the scene
     bool operator==(const ScenePoint&) const = default;
 };
@@ -94,17 +94,17 @@ struct ScenePoint {
 struct SceneBody {
     SceneItem item;
     BodyKind kind = BodyKind::plate;
-    std::string glyph = {};  ///< as in LayoutBody; its +x axis is the line of sight
+    std::string glyph = {};  ///< LayoutBody's glyph; its +x axis is the line of sight
     std::vector<Eigen::Vector3d> outline = {};
-    std::size_t corners = 0;  ///< of the outline, before they were rounded
+    std::size_t corners = 0;  ///< corners of the outline before they were rounded
     bool encloses = false;    ///< a path, not a body: it is seen through
     double feet = 0.0;        ///< height of those that it stands on, m
-    /// Where what turns on an instrument looks; zero: along its x axis.
+    /// Direction in which the turning part of an instrument looks; zero: along its x axis.
     Eigen::Vector3d sight = Eigen::Vector3d::Zero();
     Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
     double thickness = 0.0;                              ///< m
-    Eigen::Matrix3d R_WB = Eigen::Matrix3d::Identity();  ///< of a glyph
-    double size = 0.0;                                   ///< of a glyph, m
+    Eigen::Matrix3d R_WB = Eigen::Matrix3d::Identity();  ///< orientation of a glyph
+    double size = 0.0;                                   ///< size of a glyph, m
     bool operator==(const SceneBody&) const = default;
 };
 
@@ -113,9 +113,9 @@ struct SceneLink {
     LinkKind kind = LinkKind::edge;
     Eigen::Vector3d from = Eigen::Vector3d::Zero();
     Eigen::Vector3d to = Eigen::Vector3d::Zero();
-    double radius = 0.0;      ///< of tubes, m; 0 = a thin line
+    double radius = 0.0;      ///< radius of a tube, m; 0 = a thin line
     double end_radius = 0.0;  ///< at `to`, where it is another
-    bool is_dashed = false;   ///< of a thin line
+    bool is_dashed = false;   ///< concerns a thin line
     bool stands = false;      ///< the first of an arm, on its foot
     double foot = 0.0;        ///< how far that reaches below `from`, m
     bool operator==(const SceneLink&) const = default;
@@ -126,7 +126,7 @@ struct SceneVector {
     SceneItem item;
     std::string label = {};  ///< "F 79.93 N": its name is the same whatever its length
     VectorKind kind = VectorKind::force;
-    Eigen::Vector3d arrow = Eigen::Vector3d::Zero();  ///< as drawn, m: scaled to the scene
+    Eigen::Vector3d arrow = Eigen::Vector3d::Zero();  ///< the arrow that is drawn, m: scaled to the scene
     double radius = 0.0;
     bool operator==(const SceneVector&) const = default;
 };
@@ -145,7 +145,7 @@ struct SceneMesh {
 
 /// { centre + axes * s, |s| <= 1 }: coverage region of a point, magnified.
 struct SceneEllipsoid {
-    SceneItem item;  ///< of the point; position = centre
+    SceneItem item;  ///< the point's item; position = centre
     Role role = Role::output;
     /// Semi-axes as columns, longest first, already magnified, m. A flat region has zero columns.
     Eigen::Matrix3d axes = Eigen::Matrix3d::Zero();
@@ -160,7 +160,7 @@ struct SceneCloud {
     std::vector<float> offsets = {};         ///< x y z of each trial from item.position, already magnified, m
     std::vector<std::uint32_t> trials = {};  ///< number of each, from 0
     std::size_t size() const { return offsets.size() / 3; }
-    Eigen::Vector3d dot(std::size_t i) const {  ///< where it is drawn
+    Eigen::Vector3d dot(std::size_t i) const {  ///< place in W of a dot
         return item.position + Eigen::Map<const Eigen::Vector3f>(offsets.data() + 3 * i).cast<double>();
     }
     bool operator==(const SceneCloud&) const = default;
@@ -216,27 +216,27 @@ struct LengthUnit {
 /// Points of space coloured by a number: a map of a study, the candidates of a design. Positions and values
 /// are in the order of its grid; a value that is not finite is left out.
 struct SceneMap {
-    std::string title = {};                       ///< of the colour bar: "u(3D), B / mm"
+    std::string title = {};                       ///< title of the colour bar: "u(3D), B / mm"
     std::vector<Eigen::Vector3d> positions = {};  ///< m
     std::vector<double> values = {};              ///< in the unit that the title names
-    std::vector<bool> shown = {};                 ///< as a point; the others are left to the surfaces
-    double radius = 0.0;                          ///< of a point, m
+    std::vector<bool> shown = {};                 ///< drawn as points; others are left to the surfaces
+    double radius = 0.0;                          ///< radius of a point, m
     double low = 0.0, high = 1.0;                 ///< ends of the colour scale
-    std::vector<AxisTick> ticks = {};             ///< of the colour bar, in the same unit
+    std::vector<AxisTick> ticks = {};             ///< ticks of the colour bar, in the same unit
     std::array<std::size_t, 3> grid = {};  ///< sizes of a grid in space, the last fastest; 0: no surfaces
-    std::vector<double> levels = {};       ///< of iso-surfaces
+    std::vector<double> levels = {};       ///< levels of the iso-surfaces
     std::vector<bool> marked = {};         ///< drawn larger, with a ring; empty: none
     std::vector<std::array<std::size_t, 2>> ways = {};  ///< from a point to another, coloured as that one
     double way_radius = 0.0;                            ///< m
     bool operator==(const SceneMap& other) const;
 };
 
-/// At a point, or the tip of a vector, whose quantities do not meet what is required of them.
+/// A mark at a point, or the tip of a vector, whose quantities do not meet what is required of them.
 struct SceneVerdict {
     std::string item = {};        ///< its id
-    Layer layer = Layer::points;  ///< that it is in
+    Layer layer = Layer::points;  ///< layer of the item
     Eigen::Vector3d at = Eigen::Vector3d::Zero();
-    double radius = 0.0;  ///< of what stands there, m
+    double radius = 0.0;  ///< radius of the item there, m
     bool operator==(const SceneVerdict&) const = default;
 };
 
@@ -258,7 +258,7 @@ struct LegendLine {
 struct Scene {
     std::string title = {};
     Name group = {};                      ///< the output group shown
-    std::string group_title = {};         ///< likewise, for people
+    std::string group_title = {};         ///< the group's title for people
     std::vector<std::string> notes = {};  ///< below the titles: of the layout, and what is not drawn
     std::string caption = {};             ///< "ellipsoids 95 %, × 4 000": whenever uncertainty is drawn
     double magnification = 1.0;
@@ -269,7 +269,7 @@ struct Scene {
     NumberLocale numbers = {};  ///< how its texts write theirs
     bool scale_bar = false;
     std::optional<double> floor = {};  ///< height of what everything stands on, m
-    /// Around the ellipsoids that the picture is about, where they are close together in a large whole.
+    /// A box around the ellipsoids that the picture is about, where they are close together in a large whole.
     std::optional<SceneBounds> focus = {};
 
     std::vector<SceneFrame> frames;
@@ -279,7 +279,7 @@ struct Scene {
     std::vector<SceneVector> vectors;
     std::vector<SceneMesh> meshes = {};
     std::vector<SceneEllipsoid> ellipsoids;
-    /// Of the results that are compared with, about the same points, magnified alike.
+    /// Ellipsoids of the results that are compared with, about the same points, magnified alike.
     std::vector<SceneEllipsoid> ellipsoids_before = {};
     std::vector<SceneCloud> clouds;
     std::vector<SceneWallHistogram> wall_histograms;
@@ -292,16 +292,16 @@ struct Scene {
     bool operator==(const Scene&) const = default;
 };
 
-/// Ellipsoids or clouds: what a magnification is of.
+/// Whether ellipsoids or clouds are drawn: a magnification is of them.
 bool draws_uncertainty(const Scene& scene);
 /// The item with this id, or null.
 const SceneItem* find_item(const Scene& scene, const std::string& id);
-/// Axes of an instrument have no name of their own.
+/// The item's name; axes of an instrument have none of their own.
 std::string name_of(const SceneItem& item);
-/// Whether one field of a set-up says where both stand.
+/// Whether one field of a set-up states the places of both.
 bool stand_by_one_field(const SceneItem& a, const SceneItem& b);
 
-/// Around everything that is drawn, axes included, without context meshes if there is anything else: they may
+/// A box around everything drawn, axes included, without context meshes if there is anything else: they may
 /// be a whole hall, and what is measured small in it.
 SceneBounds bounds_of(const Scene& scene);
 /// The same with the meshes.

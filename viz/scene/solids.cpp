@@ -30,7 +30,7 @@ Solid disc(const Vector& from, const Vector& to, double radius, Material materia
     return round(from, to, radius, radius, std::min(0.25 * (to - from).norm(), 0.2 * radius), material);
 }
 
-/// Round ends beyond both of its own.
+/// A round solid that reaches beyond both points by its radii, with round ends.
 Solid capsule(const Vector& from, const Vector& to, double from_radius, double to_radius, Material material) {
     const Vector way = to - from;
     const Vector along = way.norm() > 0 ? Vector(way.normalized()) : Vector::UnitZ();
@@ -110,7 +110,7 @@ private:
         into_.push_back(disc(at(-0.26, 0, -0.5), at(-0.26, 0, -0.13), 0.1 * s_, Material::dark));
     }
 
-    /// Two uprights on a turning base.
+    /// Adds two uprights on a turning base.
     void add_fork(double height) {
         for (const double side : {-1.0, 1.0})
             into_.push_back(box(at(0, side * 0.235, 0.3 - height / 2), turned_,
@@ -134,7 +134,7 @@ private:
         into_.push_back(ball(p_, 0.15 * s_, Material::dark));
     }
 
-    /// A tripod, or a foot where there is no room for one; of what hangs askew nothing.
+    /// Adds a tripod, or a foot where there is no room for one; nothing below an instrument that hangs askew.
     void add_stand() {
         if (up_.z() < 0.8) return;
         const Vector head = at(0, 0, -0.66);
@@ -290,7 +290,7 @@ std::vector<Solid> solids_of_points(const Scene& scene) {
 }
 
 double lowest_of(const Scene& scene) {
-    constexpr double below_head = 0.76;  // of an instrument's size: its base and what carries it
+    constexpr double below_head = 0.76;  // part of an instrument's size: its base and what carries it
     double lowest = std::numeric_limits<double>::infinity();
     for (const SceneBody& body : scene.bodies) {
         if (body.outline.empty()) lowest = std::min(lowest, body.item.position.z() - below_head * body.size);

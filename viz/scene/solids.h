@@ -9,7 +9,7 @@
 
 namespace covaria {
 
-/// What a surface looks like; the palette of viz/vtk gives each a colour for either theme.
+/// The look of a surface; the palette of viz/vtk gives each a colour for either theme.
 enum class Material { robot, joint, instrument, dark, leg, plate, part, nest, lens, support };
 
 struct Solid {
@@ -33,14 +33,14 @@ struct Solid {
     bool operator==(const Solid&) const = default;
 };
 
-/// Of a scene's bodies: instruments on their tripods, plates on their feet.
+/// Solids of a scene's bodies: instruments on their tripods, plates on their feet.
 std::vector<Solid> solids_of_bodies(const Scene& scene);
-/// Arms with their joints, legs, bars; nothing of what is only a line.
+/// Solids of arms with their joints, legs, bars; nothing of what is only a line.
 std::vector<Solid> solids_of_links(const Scene& scene);
-/// Balls in their seats, flanges, supports; nothing at an instrument's own station.
+/// Solids of balls in their seats, flanges, supports; nothing at an instrument's own station.
 std::vector<Solid> solids_of_points(const Scene& scene);
 
-/// How far down instruments, plates and arms reach that stand on something: what lies under them.
+/// Height down to which standing instruments, plates and arms reach: the floor lies there.
 double lowest_of(const Scene& scene);
 
 }  // namespace covaria

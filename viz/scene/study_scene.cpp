@@ -117,7 +117,7 @@ double automatic_magnification(const std::vector<CoverageEllipsoid>& ellipsoids,
     return std::isfinite(wanted) && wanted > 0 ? nearest_round_number(wanted) : 1.0;
 }
 
-/// So large that neighbours do not touch.
+/// Adds ellipsoids of the points drawn, so large that neighbours do not touch.
 void add_ellipsoids(const StudyResult& study, std::size_t triple, const SceneOptions& options, Scene& scene) {
     std::vector<std::size_t> drawn;
     std::vector<CoverageEllipsoid> ellipsoids;

@@ -8,10 +8,10 @@
 namespace covaria {
 
 struct StudySceneOptions {
-    std::size_t quantity = 0;                    ///< of study_quantities
+    std::size_t quantity = 0;                    ///< index into study_quantities
     std::optional<std::size_t> slice_axis = {};  ///< only the points of one slice across this axis ...
     std::size_t slice = 0;                       ///< ... with this index are drawn as points
-    bool ellipsoids = false;                     ///< of the drawn points
+    bool ellipsoids = false;                     ///< draws ellipsoids at the drawn points
     bool surfaces = true;                        ///< iso-surfaces where the grid fills a volume
 };
 

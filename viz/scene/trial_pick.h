@@ -10,8 +10,8 @@
 
 namespace covaria {
 
-/// Of the dots of all clouds that are shown, the nearest within `reach` pixels; of dots as near as each other
-/// the one before the others. The trial's number is that of `replay_trials`.
+/// The trial of the nearest dot within `reach` pixels, of all clouds shown; among dots at equal distance the
+/// foremost counts. The trial's number is that of `replay_trials`.
 std::optional<std::uint64_t> trial_at(const Scene& scene, const Camera& camera, PictureSize size, Pixel pixel,
                                       const std::function<bool(Layer)>& shown, double reach);
 

@@ -11,7 +11,7 @@ constexpr std::array<StandardView, 6> faces_of_cube{StandardView::top,   Standar
                                                     StandardView::right, StandardView::bottom,
                                                     StandardView::back,  StandardView::left};
 
-/// Is the pixel on the right of the way from a to b, as y grows downwards?
+/// Whether the pixel is on the right of the way from a to b, as y grows downwards.
 bool is_right_of(Pixel a, Pixel b, Pixel pixel) {
     return (b.x - a.x) * (pixel.y - a.y) - (b.y - a.y) * (pixel.x - a.x) >= 0;
 }

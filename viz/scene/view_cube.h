@@ -12,14 +12,14 @@ namespace covaria {
 /// A face that is turned to the eye, in pixels.
 struct CubeFace {
     StandardView view = StandardView::front;
-    std::array<Pixel, 4> corners;  ///< of its letters: upper left, upper right, lower right, lower left
+    std::array<Pixel, 4> corners;  ///< as its letters stand: upper left, upper right, lower right, lower left
     double towards_eye = 0.0;      ///< 1: seen straight on; 0: from its edge
 };
 
-/// At most three faces of a cube whose edges are `edge` pixels long about `centre`, drawn without
+/// The faces towards the eye (at most three) of a cube with edges of `edge` pixels about `centre`, without
 /// perspective.
 std::vector<CubeFace> view_cube(const Camera& camera, Pixel centre, double edge);
-/// The one under a pixel.
+/// The face under a pixel.
 std::optional<StandardView> face_at(const std::vector<CubeFace>& faces, Pixel pixel);
 
 }  // namespace covaria

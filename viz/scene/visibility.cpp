@@ -26,7 +26,7 @@ private:
     std::string only_;
 };
 
-/// Lines of what is not drawn.
+/// Whether the line explains something that is drawn.
 bool explains(const LegendLine& line, const Scene& scene) {
     const auto is_role = [&](const auto& item) { return item.role == line.role; };
     switch (line.mark) {
@@ -44,7 +44,7 @@ bool explains(const LegendLine& line, const Scene& scene) {
             return !scene.vectors.empty();
         case LegendMark::diamond:
             return !scene.not_met.empty();
-        case LegendMark::none:  // of the uncertainty of what is too small, or of the whole
+        case LegendMark::none:  // a line on uncertainty that is too small to see, or on the whole
             return line.role == Role::quiet_text || std::ranges::any_of(scene.ellipsoids, is_role) ||
                    std::ranges::any_of(scene.ellipsoids_before, is_role) ||
                    std::ranges::any_of(scene.clouds, is_role);
@@ -64,7 +64,7 @@ std::vector<Eigen::Vector3d> places_of_hidden(const Scene& scene, const Visibili
     return places;
 }
 
-/// Lines that would end at nothing.
+/// Erases lines of sight that would end at nothing.
 void erase_sight_of_hidden(Scene& scene, const std::vector<Eigen::Vector3d>& places) {
     constexpr double same = 1e-9;  // m
     std::erase_if(scene.links, [&](const SceneLink& link) {
@@ -85,7 +85,7 @@ Scene visible_part(Scene scene, const Visibility& visibility) {
     if (visibility.shows_all()) return scene;
     const Filter filter(scene, visibility);
     const std::vector<Eigen::Vector3d> hidden = places_of_hidden(scene, visibility);
-    std::set<std::string> shown, places;  // of bodies
+    std::set<std::string> shown, places;  // ids of the items that remain, and of the places of bodies
     for (const ScenePoint& point : scene.points)
         if (is_its_body(point.item, find_item(scene, point.item.body))) places.insert(point.item.id);
     const auto keep = [&](auto& items, bool goes_along) {

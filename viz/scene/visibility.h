@@ -1,4 +1,4 @@
-// What of a scene is hidden, and one thing shown alone.
+// The hidden part of a scene, and one thing shown alone.
 #pragma once
 
 #include <set>
@@ -15,7 +15,7 @@ struct Visibility {
     bool operator==(const Visibility&) const = default;
 };
 
-/// What is hidden, or shown alone, by an item: the axes of an instrument and its place stand for its body.
+/// Id of the thing that hiding an item concerns: the axes and the place of an instrument stand for its body.
 std::string thing_of(const Scene& scene, const std::string& item);
 
 /// The scene without what is hidden, its label, ellipsoid and cloud. With a body go its axes, its place and

@@ -17,7 +17,7 @@ Vector corner(const SceneAxes& axes, bool x_high, bool y_high, bool z_high) {
             z_high ? axes.high.z() : axes.low.z()};
 }
 
-/// How many steps from one number to the next so that none is in the way of another: all of them, or each
+/// Steps from one number to the next so that none is in the way of another: each tick has one, or each
 /// second, fifth, tenth, counted from zero.
 int stride(const std::vector<ScreenRect>& words, const std::vector<AxisTick>& ticks, double step) {
     for (const int each : {1, 2, 5}) {
@@ -69,7 +69,7 @@ void Overlay::paint_axes() {
     for (const AxisEdge& edge : edges) reaches.push_back(paint_numbers(edge));
     for (std::size_t i = 0; i < edges.size(); ++i) {
         const AxisEdge& edge = edges[i];
-        // Without numbers there is nothing that has a unit; a name alone still tells which axis it is.
+        // An axis without numbers needs no unit; its name alone still tells which axis it is.
         if (!reaches[i] || !paint_title(edge, scene_.axes->titles[edge.axis], *reaches[i]))
             paint_title(edge, names[edge.axis], reaches[i].value_or(0.0));
     }

@@ -5,7 +5,7 @@
 
 namespace covaria::detail {
 
-/// Not current in any thread except between the life of a `CurrentContext`.
+/// An OpenGL context of EGL. It is current in no thread except during the life of a `CurrentContext`.
 class EglContext {
 public:
     EglContext() = default;
@@ -13,7 +13,7 @@ public:
     EglContext(const EglContext&) = delete;
     EglContext& operator=(const EglContext&) = delete;
 
-    /// Mesa's surfaceless platform, else the first EGL device that works. Error{io} says what is missing.
+    /// Opens Mesa's surfaceless platform, else the first working EGL device. Error{io} says what is missing.
     Result<void> open();
     bool is_open() const { return context_ != nullptr; }
     bool is_current() const;

@@ -14,8 +14,8 @@
 namespace covaria::detail {
 namespace {
 
-constexpr double fades_from = 0.3;  // of half of its side; it is gone at the edge
-constexpr double below = 2e-4;      // of the scene's size, so that no foot is in its plane
+constexpr double fades_from = 0.3;  // part of half of its side; it is gone at the edge
+constexpr double below = 2e-4;      // part of the scene's size, so that no foot is in its plane
 
 vtkSmartPointer<vtkTexture> texture_of(const ContactShadow& shadow, ScenePalette palette) {
     const int n = static_cast<int>(shadow.cells);

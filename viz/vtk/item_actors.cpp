@@ -18,7 +18,7 @@ constexpr double sight_opacity = 0.34;
 constexpr double edge_width = 1.1;
 constexpr std::size_t most_smooth = 400;  // solids of a layer; more have fewer corners
 
-/// What is collected for one layer.
+/// Shapes of one layer, collected by sort.
 struct Parts {
     Parts(const Vector& origin, ScenePalette used)
         : solids(origin), clear(origin), paths(origin), lines(origin), dashes(origin), palette(used) {}
@@ -90,7 +90,7 @@ void add_lines(const Scene& scene, Parts& parts) {
     }
 }
 
-/// Of an input whose point an output's ellipsoid covers, nothing could be told apart.
+/// Whether an output's ellipsoid covers the input's point: nothing could be told apart there.
 bool is_within_an_output(const SceneEllipsoid& input, const std::vector<const SceneEllipsoid*>& outputs) {
     return std::ranges::any_of(outputs, [&](const SceneEllipsoid* output) {
         const Vector away = input.item.position - output->item.position;

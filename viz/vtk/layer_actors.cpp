@@ -1,4 +1,4 @@
-// Which layers to rebuild, and how the actors follow the camera.
+// Choice of the layers to rebuild, and the way in which actors follow the camera.
 #include "viz/vtk/layer_actors.h"
 
 #include <vtkProperty.h>
@@ -44,7 +44,7 @@ bool same(Layer layer, const Scene& a, const Scene& b) {
     return false;
 }
 
-/// So that a dense middle does not saturate and single trials are still seen.
+/// Opacity of a cloud's dots: a dense middle does not saturate, and single trials are still seen.
 double cloud_opacity(const LayerActor& cloud, const LayerActors::View& view) {
     const double radius = std::max(1.0, cloud.cloud_radius / view.metres_per_pixel);
     const double side = cloud.point_size * view.ratio;

@@ -21,8 +21,8 @@ namespace covaria::detail {
 struct LayerActor {
     vtkSmartPointer<vtkActor> actor;
     double line_width = 0.0;  ///< in units of the pixel ratio; 0 = no lines
-    double point_size = 0.0;  ///< likewise; 0 = no points
-    /// Of clouds: number of points and radius (m) in which most lie; the denser they are in the picture, the
+    double point_size = 0.0;  ///< in units of the pixel ratio; 0 = no points
+    /// Number of points of a cloud and radius (m) in which most lie; the denser they are in the picture, the
     /// fainter each is drawn.
     double cloud_points = 0.0;
     double cloud_radius = 0.0;
@@ -31,7 +31,7 @@ struct LayerActor {
     int wall_normal = -1;
     double wall_shift = 0.0;
     enum class Shown { always, still, moving } shown = Shown::always;  ///< thinned twins of clouds
-    std::optional<Surface> surface = {};                               ///< whose shaders follow the camera
+    std::optional<Surface> surface = {};                               ///< its shaders follow the camera
 };
 
 class LayerActors {
@@ -46,7 +46,7 @@ public:
         double ratio = 1.0;
         double metres_per_pixel = 1.0;
         bool moving = false;
-        PictureSize size = {};  ///< as it is drawn
+        PictureSize size = {};  ///< pixels in which the picture is drawn
     };
     /// Visibility, widths and walls for the next picture.
     void prepare(const View& view);
@@ -59,7 +59,7 @@ private:
     std::array<std::vector<LayerActor>, layer_count> actors_;
 };
 
-/// Building of meshes uses objects that VTK and we share within the process.
+/// Guards the building of meshes, which uses objects that VTK and we share within the process.
 std::mutex& mesh_mutex();
 /// The actors of one layer (none for labels and legend, which are painted on the picture).
 std::vector<LayerActor> actors_of(Layer layer, const Scene& scene, const Eigen::Vector3d& origin,
@@ -67,11 +67,11 @@ std::vector<LayerActor> actors_of(Layer layer, const Scene& scene, const Eigen::
 std::vector<LayerActor> axes_actors(const Scene& scene, const Eigen::Vector3d& origin, ScenePalette palette);
 std::vector<LayerActor> histogram_actors(const Scene& scene, const Eigen::Vector3d& origin,
                                          ScenePalette palette);
-/// Coloured points, and iso-surfaces of a grid of them.
+/// Coloured points of a map, and iso-surfaces of a grid of them.
 std::vector<LayerActor> map_actors(const Scene& scene, const Eigen::Vector3d& origin, ScenePalette palette);
 /// Context; the triangles of a mesh are VTK's once, however often its actor is made.
 std::vector<LayerActor> mesh_actors(const Scene& scene, const Eigen::Vector3d& origin, ScenePalette palette);
-/// What everything stands on, with its shadow there.
+/// The floor under everything, with its shadow.
 std::vector<LayerActor> floor_actors(const Scene& scene, const Eigen::Vector3d& origin, ScenePalette palette);
 std::vector<LayerActor> cloud_actors(const Scene& scene, const Eigen::Vector3d& origin, ScenePalette palette);
 

@@ -36,7 +36,7 @@ bool is_marked(const SceneMap& map, std::size_t i) {
     return i < map.marked.size() && map.marked[i];
 }
 
-/// Those that are not marked.
+/// Points that are not marked.
 vtkSmartPointer<vtkPolyData> coloured_points(const SceneMap& map, const Eigen::Vector3d& origin) {
     vtkNew<vtkPoints> points;
     vtkNew<vtkUnsignedCharArray> colours;
@@ -80,7 +80,7 @@ LayerActor points_actor(const SceneMap& map, const Eigen::Vector3d& origin) {
     return made;
 }
 
-/// Only cells whose eight corners have values: a surface ends where nothing is known.
+/// Cells whose eight corners have values: a surface ends where nothing is known.
 vtkSmartPointer<vtkUnstructuredGrid> known_cells(const SceneMap& map, const Eigen::Vector3d& origin) {
     auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
     vtkNew<vtkPoints> points;
@@ -136,7 +136,7 @@ void add_surfaces(const SceneMap& map, const Eigen::Vector3d& origin, std::vecto
         const Colour colour = colour_at(map, level);
         made.actor->GetProperty()->SetColor(colour.red / 255.0, colour.green / 255.0, colour.blue / 255.0);
         made.actor->GetProperty()->SetOpacity(surface_opacity);
-        made.actor->GetProperty()->SetAmbient(0.45);  // as bright from behind
+        made.actor->GetProperty()->SetAmbient(0.45);  // equally bright from behind
         made.actor->GetProperty()->SetDiffuse(0.55);
         actors.push_back(std::move(made));
     }
@@ -145,7 +145,7 @@ void add_surfaces(const SceneMap& map, const Eigen::Vector3d& origin, std::vecto
 /// Marked points in their rings, and the ways.
 void add_marks(const SceneMap& map, const Eigen::Vector3d& origin, ScenePalette palette,
                std::vector<LayerActor>& actors) {
-    constexpr double marked_size = 1.6, ring_size = 1.5;  // of what is within
+    constexpr double marked_size = 1.6, ring_size = 1.5;  // multiples of the inner size
     constexpr int ring_steps = 36;
     Shapes solids(origin), rings(origin);
     for (const auto& [from, to] : map.ways)

@@ -1,4 +1,4 @@
-// What the measuring tool draws: the places, the line or the arc between them, and the value.
+// Drawing of the measuring tool: the places, the line or the arc between them, and the value.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -50,7 +50,7 @@ void Overlay::paint_arc(Pixel from, Pixel apex, Pixel to) {
         canvas_.line(on_arc(i), on_arc(i + 1), px(1.8), selection_colour(view_.palette));
 }
 
-/// On a ground of its own, where no other word stands: beside the line, else further up or down.
+/// Paints the value on a ground of its own, away from other words: beside the line, else further up or down.
 void Overlay::paint_measured_value(Pixel at) {
     const Word word{view_.measure.text, Role::text, true, 1.0};
     const TextMask& mask = mask_of(word);

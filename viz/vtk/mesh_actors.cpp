@@ -48,7 +48,7 @@ vtkSmartPointer<vtkPolyData> shared_surface(const std::shared_ptr<const Triangle
     return found.surface;
 }
 
-/// From the mesh's own coordinates to W relative to `origin`.
+/// Maps the mesh's own coordinates to W relative to `origin`.
 vtkSmartPointer<vtkMatrix4x4> placement_of(const SceneMesh& mesh, const Eigen::Vector3d& origin) {
     auto matrix = vtkSmartPointer<vtkMatrix4x4>::New();
     const Eigen::Matrix3d linear = mesh.scale * mesh.X_WM.linear();

@@ -17,7 +17,7 @@ public:
     OffscreenWindow(const OffscreenWindow&) = delete;
     OffscreenWindow& operator=(const OffscreenWindow&) = delete;
 
-    /// Once; errors as EglContext::open.
+    /// Opens the window, once; errors as EglContext::open.
     Result<void> open(vtkRenderer* renderer);
     /// Draws the renderer. The context is current only during the call.
     Result<Image> picture(int width, int height);

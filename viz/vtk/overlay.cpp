@@ -32,8 +32,8 @@ Overlay::Overlay(const Scene& scene, const OverlayView& view, Image& image, Text
 }
 
 void Overlay::paint() {
-    // What has its place in a corner comes first, as far as room is concerned: the words along the axes and
-    // the labels go round it. It is painted after the lines that it covers.
+    // Words with a fixed place in a corner claim their room first: the words along the axes and
+    // the labels go round them. They are painted after the lines that they cover.
     const std::vector<HeadLine> head =
         head_lines(scene_, view_.layers, view_.ratio, canvas_.size().width, masks_);
     for (const HeadLine& line : head) claim(line.word, line.x, line.y);
@@ -83,7 +83,7 @@ bool Overlay::has_room(const ScreenRect& rect) const {
 }
 
 void Overlay::paint_head(const std::vector<HeadLine>& lines) {
-    // Where the scene reaches under the legend, it steps back.
+    // The legend has a ground, so that the scene steps back where it reaches under it.
     const ScreenRect ground = legend_ground(lines, view_.ratio, masks_);
     if (ground.width > 0.0) canvas_.rectangle(ground, ground_colour(view_.palette), ground_opacity);
     for (const HeadLine& line : lines) {
@@ -183,7 +183,7 @@ void Overlay::paint_scale_bar() {
     const TextMask& mask = mask_of(word);
     const double right = canvas_.size().width - px(margin), height = mask.letters.height + px(14);
     double y = canvas_.size().height - view_.covered - px(margin);
-    // In a narrow picture it stands above the caption.
+    // A narrow picture has it above the caption.
     const auto is_clear = [&] {
         return is_free({right - length - px(3), y - height, length + px(6), height});
     };
@@ -202,7 +202,7 @@ double Overlay::colour_bar_height() const {
     return std::min(0.42 * canvas_.size().height, px(260));
 }
 
-/// Its upper edge; below the title of the picture where both have no room beside each other.
+/// Claims the room of the colour bar; returns its upper edge. It is below the title where both do not fit.
 double Overlay::claim_colour_bar() {
     if (!scene_.map || !(scene_.map->high > scene_.map->low)) return 0.0;
     const Mask& title = mask_of({scene_.map->title, Role::text, false, 1.0}).letters;

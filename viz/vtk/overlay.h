@@ -17,9 +17,9 @@ struct OverlayView {
     ScenePalette palette = ScenePalette::light;
     double ratio = 1.0;
     std::string selected = {};
-    std::string pointed = {};  ///< what the pointer is at
+    std::string pointed = {};  ///< id of the item under the pointer
     MeasureMark measure = {};
-    ScreenRect reserved = {};  ///< where something else will be painted
+    ScreenRect reserved = {};  ///< room in which something else will be painted
     double covered = 0.0;      ///< px at the foot of the picture that lie under something else
     ScreenRect inset = {};     ///< a picture of the whole
 };
@@ -29,12 +29,12 @@ class Overlay {
 public:
     Overlay(const Scene& scene, const OverlayView& view, Image& image, TextMasks& masks);
     void paint();
-    /// Where each word was written.
+    /// A word with its place in the picture.
     struct PlacedWord {
         Text text;
         Role role = Role::text;
         ScreenRect rect;
-        bool is_label = false;  ///< of something in the scene, or its fact
+        bool is_label = false;  ///< names something in the scene, or states its fact
     };
     const std::vector<PlacedWord>& words() const { return placed_; }
 
@@ -63,17 +63,17 @@ private:
     void paint_frames();
     bool shows(const SceneFrame& frame) const;
     bool is_of_asked(const SceneFrame& frame) const;
-    /// The sights of what is selected, before all others.
+    /// Paints the sights of what is selected, before all others.
     void paint_selected_sights();
     void paint_diamond(Pixel centre, double half, double width, Colour ink);
-    /// Around the points, or as large as a letter.
+    /// Paints marks around the points, or as large as a letter.
     void paint_verdicts();
     double half_of_diamond(const SceneVerdict& mark) const;
     // scene_labels.cpp
     struct PlannedLabel {
         Word word, fact;
         LabelRequest request;             ///< without its size
-        std::vector<PlannedLabel> parts;  ///< of what joins several
+        std::vector<PlannedLabel> parts;  ///< the labels that it joins
     };
     bool is_asked_for(const std::string& item) const;
     bool is_written(const SceneLabel& label) const;
@@ -81,13 +81,13 @@ private:
     PlannedLabel planned(const SceneLabel& label) const;
     /// Labels of one sort whose anchors cannot be told apart are one: "axis 5, axis 6".
     std::vector<PlannedLabel> joined(const std::vector<PlannedLabel>& labels) const;
-    /// Those that have no room.
+    /// Paints labels where there is room; returns those that have none.
     std::vector<PlannedLabel> paint_where_free(const std::vector<PlannedLabel>& labels,
                                                const std::vector<ScreenRect>& anchors,
                                                const std::vector<ScreenLine>& bodies,
                                                std::vector<ScreenLine>& drawn);
     std::vector<ScreenLine> what_labels_avoid() const;
-    /// Which no label covers.
+    /// Lines that no label covers.
     std::vector<ScreenLine> bodies() const;
     ScreenLine line_of(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double radius) const;
     // measure_mark.cpp
@@ -103,17 +103,17 @@ private:
         double length = 0.0;                            ///< in the picture
         Eigen::Vector2d out = Eigen::Vector2d::Zero();  ///< away from the box
     };
-    /// Without an axis that is seen from its end; the shortest first, which has least room for its numbers.
+    /// Edges but of an axis seen from its end; the shortest first, which has least room for its numbers.
     std::vector<AxisEdge> axis_edges() const;
     void add_edge(std::size_t axis, const Eigen::Vector3d& begin, std::vector<AxisEdge>& edges) const;
     void paint_axes();
-    /// How far its numbers reach; nothing without any.
+    /// Paints numbers; returns how far they reach from the edge, nothing without any.
     std::optional<double> paint_numbers(const AxisEdge& edge);
-    /// Which ticks have room for their numbers: evenly spaced ones, else the two that are farthest apart,
+    /// Indices of ticks that have room for their numbers: evenly spaced ones, else the two farthest apart,
     /// else none, because a single number is no scale.
     std::vector<std::size_t> numbered_ticks(const std::vector<ScreenRect>& needed,
                                             const std::vector<AxisTick>& ticks) const;
-    /// Beside the middle of what is seen of its axis, else where there is room; whether there was any.
+    /// Paints it beside the middle of the visible part of its axis, else where there is room; false: nowhere.
     bool paint_title(const AxisEdge& edge, const std::string& title, double numbers_reach);
 
     const Scene& scene_;

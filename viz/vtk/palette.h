@@ -22,7 +22,7 @@ Colour colour_of(Material material, ScenePalette palette);
 /// Smith, 2015, CC0), interpolated.
 Colour magnitude_colour(double t);
 Colour ground_colour(ScenePalette palette);
-Colour floor_colour(ScenePalette palette);      ///< where things stand; it fades into the ground
+Colour floor_colour(ScenePalette palette);      ///< floor under everything; it fades into the ground
 Colour grid_colour(ScenePalette palette);       ///< lines of the axes' walls
 Colour selection_colour(ScenePalette palette);  ///< ring around the selected item
 

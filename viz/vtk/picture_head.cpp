@@ -8,7 +8,7 @@
 namespace covaria::detail {
 namespace {
 
-constexpr double widest_row = 0.55;  // of the width of a picture: the other corner has the rest
+constexpr double widest_row = 0.55;  // part of a picture's width: the other corner has the rest
 constexpr double swatch = 18.0, between = 14.0;
 
 bool is_shown(const LegendLine& line, const LayerVisibility& layers) {

@@ -12,7 +12,7 @@ struct Word {
     Text text;
     Role role = Role::text;
     bool bold = false;
-    double scale = 1.0;  ///< of the size of letters
+    double scale = 1.0;  ///< factor on the size of letters
 };
 
 inline constexpr double letter_size = 11.0;
@@ -30,7 +30,7 @@ struct HeadLine {
 /// below, each on its line.
 std::vector<HeadLine> head_lines(const Scene& scene, const LayerVisibility& layers, double ratio, int width,
                                  TextMasks& masks);
-/// Of the legend's lines with their ground; of no width without any.
+/// The ground of the legend's lines; it has no width without any.
 ScreenRect legend_ground(const std::vector<HeadLine>& lines, double ratio, TextMasks& masks);
 
 }  // namespace covaria::detail

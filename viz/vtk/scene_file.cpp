@@ -51,7 +51,7 @@ vtkPolyData* mesh_of(vtkActor* actor) {
     return mapper->GetInput();
 }
 
-/// Relative to `origin`, in which single precision is enough.
+/// Actors of the scene relative to `origin`, about which single precision is enough.
 std::vector<WrittenActor> actors_in(const Scene& scene, const Vector& origin, ScenePalette palette) {
     std::vector<WrittenActor> actors;
     for (const Layer layer : written_layers)
@@ -62,7 +62,7 @@ std::vector<WrittenActor> actors_in(const Scene& scene, const Vector& origin, Sc
     return actors;
 }
 
-/// Of each vertex: what the mesh says, else that of the actor.
+/// Colour of each vertex: the mesh's, else the actor's.
 vtkSmartPointer<vtkUnsignedCharArray> colours_of(vtkActor* actor, vtkPolyData* mesh) {
     auto colours = vtkSmartPointer<vtkUnsignedCharArray>::New();
     colours->SetNumberOfComponents(4);
@@ -93,8 +93,8 @@ bool seen_through(vtkActor* actor) {
     return false;
 }
 
-/// What the exporter leaves out: names of layers, and which colours are blended. Empty: it wrote other
-/// meshes.
+/// The text with parts that the exporter leaves out: names of layers, and which colours are blended. Empty:
+/// it wrote other meshes.
 std::string completed(const std::string& text, const std::vector<WrittenActor>& actors) {
     nlohmann::json file = nlohmann::json::parse(text, nullptr, false);
     if (file.is_discarded() || file["meshes"].size() != actors.size()) return {};
@@ -122,7 +122,7 @@ std::string gltf_text(const Scene& scene, const std::vector<WrittenActor>& actor
     camera->SetFocalPoint(origin.x(), origin.z(), -origin.y());
     camera->SetPosition(origin.x() + far / 2, origin.z() + far / 2, -origin.y() + far / 2);
     camera->SetClippingRange(far / 100, 2 * far);
-    vtkNew<vtkGenericOpenGLRenderWindow> window;  // for its list of renderers; it opens no display
+    vtkNew<vtkGenericOpenGLRenderWindow> window;  // serves as list of renderers; it opens no display
     window->SetSize(1280, 800);
     window->AddRenderer(renderer);
     vtkNew<vtkGLTFExporter> exporter;
@@ -156,7 +156,7 @@ void add_part(vtkAppendPolyData* all, vtkPolyData* part, Layer layer, vtkUnsigne
     all->AddInputData(part);
 }
 
-/// In double precision, in W.
+/// The actor's mesh in double precision, in W.
 vtkSmartPointer<vtkPolyData> in_world(vtkActor* actor, const Vector& origin) {
     vtkPolyData* mesh = mesh_of(actor);
     vtkNew<vtkPoints> points;

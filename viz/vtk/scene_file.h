@@ -18,7 +18,7 @@ enum class SceneFormat {
     vtp,
 };
 
-/// By the ending of a file's name: ".gltf", ".vtp", in any letter case; none of a picture's.
+/// Format by the ending of a file's name: ".gltf", ".vtp", in any letter case; a picture's ending has none.
 std::optional<SceneFormat> scene_format_of(const std::string& ending);
 
 /// Everything that is shown of the scene but words, axes and histograms on walls; uncertainties magnified as

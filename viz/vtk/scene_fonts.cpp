@@ -38,7 +38,7 @@ const FontFiles& latin_fonts() {
     return files;
 }
 
-/// With Latin letters and figures, too, since a text has one font: not Droid Sans Fallback, which has none.
+/// Fonts with Latin letters, too, since a text has one font: not Droid Sans Fallback, which has none.
 const FontFiles& east_asian_fonts() {
     static const FontFiles files =
         first_of({{"opentype/noto/NotoSansCJK-Regular.ttc", "opentype/noto/NotoSansCJK-Bold.ttc"},

@@ -12,7 +12,7 @@ namespace covaria {
 /// Empty where none is installed.
 const std::string& font_file_for(std::string_view text, bool bold);
 
-/// `wanted`; where no font has its letters, English with its form of numbers.
+/// The language `wanted`; where no font has its letters, English with its form of numbers.
 DocumentLanguage scene_language(const DocumentLanguage& wanted);
 
 }  // namespace covaria

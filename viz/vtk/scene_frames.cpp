@@ -1,4 +1,4 @@
-// What is drawn on the picture of what is selected or pointed at: its frame, its sights.
+// Marks on the picture for an item selected or pointed at: its frame, its sights.
 #include <algorithm>
 #include <cmath>
 
@@ -9,7 +9,7 @@ namespace {
 
 constexpr double frame_width = 2.0, sight_width = 1.5;  // points
 constexpr double dash = 6.0, gap_of_dash = 4.0;
-constexpr double same_place = 1e-6;  // of the scene's size
+constexpr double same_place = 1e-6;  // part of the scene's size
 constexpr double farthest = 1e5;     // pixels: what is far outside is not drawn dash by dash
 
 bool is_near_picture(Pixel at) {

@@ -13,7 +13,7 @@ constexpr std::size_t most_joined = 3;   // a longer label would find no room
 constexpr double thinnest = 2.0;         // points, half of a line
 constexpr double line_gap = 2.0;         // points, from a name to its fact
 constexpr double gap = 5.0;              // points, from a label to the next
-constexpr double shaft_of_frame = 0.03;  // of its length, with half of its tip
+constexpr double shaft_of_frame = 0.03;  // part of its length, with half of its tip
 
 }  // namespace
 
@@ -151,7 +151,7 @@ std::vector<Overlay::PlannedLabel> Overlay::paint_where_free(const std::vector<P
             without_room.push_back(labels[i]);
             continue;
         }
-        // Without a place of its own it is read on a ground, as the legend.
+        // A label that crosses lines is read on a ground, as the legend.
         if (std::ranges::any_of(drawn, [&](const ScreenLine& line) { return line.crosses(*placed[i]); }))
             canvas_.rectangle(*placed[i], ground_colour(view_.palette), ground_opacity);
         if (const auto leader = leader_of(requests[i], *placed[i])) {

@@ -41,7 +41,7 @@ struct SceneRenderer::Implementation {
     detail::OffscreenWindow window;  // after the renderer: destroyed first, with its context
     detail::TextMasks masks;
     Scene scene;
-    std::optional<Scene> realised;  // what the actors show
+    std::optional<Scene> realised;  // the scene that the actors show
     ScenePalette palette = ScenePalette::light;
     ScenePalette realised_palette = ScenePalette::light;
     PictureSize size;
@@ -56,11 +56,11 @@ struct SceneRenderer::Implementation {
 
     Implementation();
     double pixel_ratio() const;
-    /// All of the scene, clear of the legend, the caption and the scale bar.
+    /// The camera that has the whole scene clear of the legend, the caption and the scale bar.
     Camera framed(const Camera& looking);
     void realise();
     void aim(const Camera& looking, PictureSize drawn, double scale, RenderQuality quality);
-    /// Without words; `drawn` in pixels of the picture.
+    /// Draws the picture without words; `drawn` in pixels of it.
     Result<Image> bare(const Camera& looking, PictureSize drawn, RenderQuality quality);
     /// Paints the whole into a corner, where the camera looks at a part of it; its place.
     ScreenRect add_inset(Image& image, RenderQuality quality);
@@ -104,7 +104,7 @@ double SceneRenderer::Implementation::pixel_ratio() const {
 }
 
 Camera SceneRenderer::Implementation::framed(const Camera& looking) {
-    const double room = (layers[Layer::axes] ? 50.0 : 28.0) * pixel_ratio();  // of figures and titles
+    const double room = (layers[Layer::axes] ? 50.0 : 28.0) * pixel_ratio();  // for figures and titles
     const int foot = std::min(size.height / 4, static_cast<int>(foot_height * pixel_ratio()));
     const PictureSize above{size.width, size.height - foot};
     const SceneBounds bounds = scene.focus && !layers[Layer::axes] ? *scene.focus : bounds_of(scene);
@@ -165,7 +165,7 @@ void SceneRenderer::Implementation::aim(const Camera& looking, PictureSize drawn
 }
 
 void SceneRenderer::Implementation::set_occlusion(bool shown, RenderQuality quality) {
-    constexpr double reach = 0.045, bias = 0.0025;  // of the scene's size
+    constexpr double reach = 0.045, bias = 0.0025;  // parts of the scene's size
     renderer->SetUseSSAO(shown && scene.size > 0);
     renderer->SetSSAORadius(reach * scene.size);
     renderer->SetSSAOBias(bias * scene.size);

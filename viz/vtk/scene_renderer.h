@@ -21,7 +21,7 @@ enum class ScenePalette { light, dark };
 enum class RenderQuality {
     moving,  ///< while the camera moves: thinned clouds, no smoothing, translucency unsorted
     full,    ///< sorted translucency, smoothed edges
-    fine,    ///< as full, from twice the resolution: for files and reports
+    fine,    ///< draws as full, from twice the resolution: for files and reports
 };
 
 struct LayerVisibility {
@@ -58,7 +58,7 @@ public:
     const Scene& scene() const;
 
     void set_palette(ScenePalette palette);
-    /// In device pixels; clamped to 1 ... 16384.
+    /// Sets the size in device pixels; clamped to 1 ... 16384.
     void set_size(int width, int height);
     PictureSize size() const;
     /// Size of letters and line widths: 1 at 96 dots per inch, 2 on a display of twice the density.
@@ -67,21 +67,21 @@ public:
     void set_layers(const LayerVisibility& layers);
     LayerVisibility layers() const;
     void set_selected(const std::string& item_id);  ///< empty = none
-    void set_pointed(const std::string& item_id);   ///< what the pointer is at; empty = nothing
+    void set_pointed(const std::string& item_id);   ///< id of the item under the pointer; empty = none
     void set_measure(MeasureMark mark);             ///< without places: none
     const MeasureMark& measure() const;
-    /// Pixels that are painted over: words stay clear of them.
+    /// Sets pixels that are painted over: words stay clear of them.
     void set_reserved(const ScreenRect& rect);
     /// Caption and scale bar stand above what covers so many px of the foot.
     void set_covered(double height);
 
     void set_view(StandardView view);  ///< direction, and everything in the picture
     void fit();
-    void set_perspective(bool perspective);  ///< of the same direction and height
+    void set_perspective(bool perspective);  ///< keeps direction and height
     void orbit(double dx, double dy);        ///< pixels of a drag
     void pan(double dx, double dy);
     void zoom(double factor);
-    void zoom(double factor, Pixel about);  ///< what is there stays there
+    void zoom(double factor, Pixel about);  ///< the point there stays there
     Camera camera() const;
     void set_camera(const Camera& camera);
 

@@ -1,4 +1,4 @@
-// How surfaces are lit, and how thin lines are dashed: shaders that VTK's own are extended by.
+// Lighting of surfaces, and dashes of thin lines: shaders that extend VTK's own.
 #pragma once
 
 #include <vtkActor.h>
@@ -13,9 +13,9 @@ enum class Surface {
     dashed  ///< lines with dashes of one length in the picture
 };
 
-/// Of an actor made by Shapes.
+/// Extends the shaders of an actor made by Shapes.
 void shade(vtkActor* actor, Surface surface);
-/// What the shaders of an actor need to know of a picture: which way is up, seen from the eye, and its size
+/// Facts on a picture that the shaders of an actor need: the way up, seen from the eye, and its size
 /// in pixels with the pixels of a point.
 struct ShadingView {
     Eigen::Vector3d up = Eigen::Vector3d::UnitY();

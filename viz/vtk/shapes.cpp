@@ -25,7 +25,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 constexpr int steps_round = 40, steps_round_coarse = 16;
-constexpr int steps_edge = 4;  // of a rounded edge
+constexpr int steps_edge = 4;  // steps of a rounded edge
 constexpr double sharp =
     0.64;  // cosine between neighbouring sides of a prism, below which their edge is seen
 
@@ -81,7 +81,7 @@ void Shapes::frustum(const Solid& solid) {
     if (!(length > 0)) return;
     const double low = std::min({solid.bevel, solid.from_radius, length / 2}),
                  high = std::min({solid.bevel, solid.to_radius, length / 2});
-    // Its side leans by as much as it gets narrower.
+    // The side leans by as much as it gets narrower.
     const double lean = std::atan2(solid.from_radius - solid.to_radius, std::max(1e-12, length - low - high));
     std::vector<Profile> profile{{0.0, 0.0, 0.0, -1.0}};
     if (solid.from_radius > low) profile.push_back({solid.from_radius - low, 0.0, 0.0, -1.0});

@@ -34,7 +34,7 @@ public:
     /// One actor of everything collected, shaded (solids) or not (lines); null when empty.
     vtkSmartPointer<vtkActor> solid_actor() const;
     vtkSmartPointer<vtkActor> line_actor() const;
-    /// Of ellipsoids: seen through, denser at the rim.
+    /// Actor of ellipsoids: seen through, denser at the rim.
     vtkSmartPointer<vtkActor> clear_actor() const;
     /// The same, with the place where each line begins as an array "begin": dashes are counted from there.
     vtkSmartPointer<vtkActor> dashed_actor() const;

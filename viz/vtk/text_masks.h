@@ -25,7 +25,7 @@ struct TextMask {
     int halo_width = 0;
 };
 
-/// One per renderer. Text is UTF-8; the font is that of scene_fonts.h, else VTK's
+/// The masks of one renderer. Text is UTF-8; the font is that of scene_fonts.h, else VTK's
 /// own.
 class TextMasks {
 public:

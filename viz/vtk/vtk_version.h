@@ -1,4 +1,4 @@
-// Which VTK draws, for the window's About.
+// Version of the VTK that draws, for the window's About.
 #pragma once
 
 #include <string>

@@ -43,7 +43,7 @@ void add_grid(const SceneAxes& axes, int normal, Shapes& lines, Colour colour) {
 
 /// A bar of the histogram as a rectangle on the wall.
 std::vector<Vector> bar(const SceneWallHistogram& h, std::size_t cell) {
-    constexpr double highest = 0.62;  // of the wall
+    constexpr double highest = 0.62;  // part of the wall's height
     const double width = (h.high[h.axis] - h.low[h.axis]) / static_cast<double>(h.bars.size());
     Vector low = h.low, high = h.low;
     low[h.axis] += (static_cast<double>(cell) + 0.06) * width;

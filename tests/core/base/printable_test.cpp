@@ -1,4 +1,4 @@
-// What people typed, as it may be printed.
+// Texts that people typed, made printable.
 #include "core/base/printable.h"
 
 #include <gtest/gtest.h>

@@ -44,7 +44,7 @@ struct Case {
     Problems problems;
 };
 
-/// All uncertainties times the one factor, with its degrees of freedom.
+/// Expects all uncertainties times the one factor, with its degrees of freedom.
 void expect_one_factor(Case& of) {
     const UncertaintyResult stated = of.run("stated"), seen = of.run("one-factor");
     const auto readings = of.prepare()->model->redundant_readings();
@@ -92,7 +92,7 @@ TEST(AsSeen, TheWarningOfAnIdentificationLeadsThere) {
         EXPECT_TRUE(problem.remedies.empty()) << problem.message.english();
 }
 
-/// With one stated u for all points its size is of no consequence: it is the curve from the residuals.
+/// The size of one stated u for all points is of no consequence: the curve is the one from the residuals.
 TEST(AsSeen, ACurveIsTheOneFromItsResiduals) {
     Case of("gum/h3-thermometer.covaria", {});
     of.id = of.project.analyses.front().id;

@@ -110,7 +110,7 @@ SeenByHand rounds_by_hand(const std::vector<Reading>& readings) {
 
 struct PointsByHand {
     std::map<std::string, Vector3d> points;
-    std::vector<std::string> names;  ///< of those that are found, in the order of the covariance
+    std::vector<std::string> names;  ///< the points that are found, in the order of the covariance
     std::array<Eigen::MatrixXd, kinds> covariance;
 };
 

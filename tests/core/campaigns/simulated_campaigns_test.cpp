@@ -27,7 +27,7 @@ std::shared_ptr<const RedundantReadings> readings_of(const char* project, const 
     return prepared && prepared->model ? prepared->model->redundant_readings() : nullptr;
 }
 
-/// What the unknowns take up of it is of no consequence.
+/// Random deviations of readings; the part that unknowns take up is of no consequence.
 Eigen::VectorXd deviations(const RedundantReadings& readings, const std::vector<double>& truth,
                            std::mt19937_64& random) {
     std::normal_distribution<double> normal;
@@ -74,7 +74,7 @@ void expect_campaigns(const RedundantReadings& stated, const std::vector<double>
         EXPECT_NEAR(mean, truth[k] * truth[k], 2.0 * s / std::sqrt(campaigns)) << k;
         EXPECT_GE(covered[k], 0.93 * campaigns) << k;
         EXPECT_LE(covered[k], 0.97 * campaigns) << k;
-        // Of a figure that is right, contradicted by chance.
+        // A right figure is contradicted by chance.
         if (truth[k] == 1.0)
             EXPECT_NEAR(alarms[k], 0.05 * campaigns, 2.0 * std::sqrt(0.05 * 0.95 * campaigns)) << k;
         std::printf("figure %zu: mean factor² %.4f of %.4f (u %.4f), covered %.1f %%\n", k, mean,

@@ -1,4 +1,4 @@
-// What a report carries, taken out of it again: the same project, the same results; what differs is named.
+// The project and results that a report carries, taken out of it again: they are the same; others are named.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -305,7 +305,7 @@ Eigen::Vector3d stations_at(const Project& project, std::size_t i) {
     return 1e-3 * Eigen::Vector3d(pose.position[0], pose.position[1], pose.position[2]);
 }
 
-/// What a row gains is told by two searches that may not choose: with it and without it.
+/// The gain of a row is told by two searches that may not choose: with it and without it.
 TEST(Design, EveryCandidateHasItsPlaceAndWhatItGains) {
     const Project project = Stations(7, 3).project(choosing(4, ""));
     const DesignResult result = run(project);
@@ -334,7 +334,7 @@ TEST(Design, EveryCandidateHasItsPlaceAndWhatItGains) {
     }
 }
 
-/// With targets for P; `more` stands behind the choice.
+/// A design with prices and targets for P; `more` stands behind the choice.
 Project priced(std::uint32_t seed, double target_mm, const std::string& prices, const std::string& more) {
     Project project =
         Stations(9, seed).project(R"({"id":"d","choose":{"table":"/setup/sensors/rows","keep":8,"prices":[)" +
@@ -352,7 +352,7 @@ double reachable(std::uint32_t seed) {
     return 1.4 * run(project).objective;
 }
 
-/// At one price for all the cheapest are the fewest with which the targets are met.
+/// The cheapest rows at one price for all are the fewest with which the targets are met.
 TEST(Design, CheapestRowsAreTheFewestAtOnePriceForAll) {
     for (std::uint32_t seed = 1; seed <= 4; ++seed) {
         Project project = priced(seed, reachable(seed), "7", "");
@@ -400,7 +400,7 @@ TEST(Design, WhatNoRowsReachHasTheBestThatIsReached) {
     EXPECT_NE(design_text(result).find("is not met: the best design found reaches"), std::string::npos);
 }
 
-/// What has no uncertainty gains as much as its share of the variance says.
+/// A source that lost its uncertainty would gain what its share of the variance says.
 TEST(Design, SourcesAreWorthTheirShareOfTheVariance) {
     Equations e;
     e.quantity("t", 0.0, "rad", 0.0);
@@ -419,7 +419,7 @@ const char* const free_station = R"("variables":[
     {"asset":"s1","target":"/setup/station/position/0","from":-3000,"to":3000,"unit":"mm"},
     {"asset":"s1","target":"/setup/station/position/1","from":-3000,"to":3000,"unit":"mm"}])";
 
-/// With the values found, no exchange of a row that may go gains anything.
+/// No exchange of a row that may go gains anything for the values found.
 TEST(Design, RowsAreChosenAnewForTheValuesFound) {
     int exchanged = 0;
     for (std::uint32_t seed = 1; seed <= 6; ++seed) {
@@ -551,7 +551,7 @@ TEST(Design, TakenOverItGivesWhatItPromised) {
     }
 }
 
-// They may refer to assets that the analysis does not use yet.
+// Candidates may refer to assets that the analysis does not use yet.
 TEST(Design, CandidatesOfAFileStandBehindTheRowsOfTheTable) {
     const Stations stations(9, 2);
     const std::string targets = R"(,"outputs":[{"group":"P","symbol":"x"}])";  // one: no weights

@@ -81,7 +81,7 @@ double slope_of(const DesignReduction& r, double f) {
     return by_f / (2.0 * f);
 }
 
-/// In f², with costs relative to the sum of the prices.
+/// The task for NLopt in f², with costs relative to the sum of the prices.
 struct Nlopt {
     const ReductionTask& task;
     double unit;
@@ -161,7 +161,7 @@ TEST(CheapestReductionsTest, AreThoseOfAnotherSolverAndMeetTheConditionsOfOptima
         } catch (const nlopt::roundoff_limited&) {  // it is as near as rounding lets it be
         }
         const double other = cost_of_all(task, Nlopt::roots(v_found.data(), n));
-        // What it breaks of the limits for rounding only makes it cheaper.
+        // NLopt breaks limits by rounding only, which makes its cost smaller.
         EXPECT_LE(found.cost, other * (1.0 + 1e-6)) << "trial " << trial;
     }
     EXPECT_GT(solved, 20);

@@ -89,7 +89,7 @@ TEST(Language, ChoosesByCondition) {
     EXPECT_EQ(value_of(text, {{"a", 2}}), 30.0);
     EXPECT_EQ(value_of(text, {{"a", 3}}), 20.0);
     EXPECT_EQ(value_of("y = if(a <= 0, 0, sqrt(a))", {{"a", -1}}), 0.0);
-    // What is not taken needs no value, even if none of it depends on a quantity.
+    // A branch not taken needs no value, even if none of it depends on a quantity.
     EXPECT_EQ(value_of("y = if(a > 0, a, 2*sqrt(-1))", {{"a", 3}}), 3.0);
     EXPECT_EQ(value_of("y = if(1 > 2, 1/0, a)", {{"a", 3}}), 3.0);
     EXPECT_EQ(value_of("y = if(2 > 1, a, log(0)) + if(a > 0, 1, if(a > 0, 1/0, 2))", {{"a", 3}}), 4.0);
@@ -297,7 +297,7 @@ TEST(Typeset, SubscriptsThatAreWordsAreUprightInMathml) {
     EXPECT_NE(written.find("<mi mathvariant=\"normal\">S</mi>"), std::string::npos) << written;
 }
 
-/// What is wrong, first message; "" if nothing is. t, t_1, t_2 in degC, T in K, x a number.
+/// The first message about a text; "" if nothing is wrong. t, t_1, t_2 in degC, T in K, x a number.
 std::string objection(const std::string& text, std::optional<Unit> wanted = std::nullopt) {
     TextProblems problems;
     const ParsedText parsed = parse(text, problems);
@@ -386,7 +386,7 @@ TEST(Temperatures, AWayOutNamesEveryPlaceOfTheTemperature) {
     EXPECT_EQ(problems[0].readings[1].column, 27u);
 }
 
-/// Of the output y: whether it is an angle on the circle. phi, psi in deg, x a number, n in rev.
+/// Whether the output y is an angle on the circle. phi, psi in deg, x a number, n in rev.
 bool is_on_circle(const std::string& text, const char* unit = "deg") {
     TextProblems problems;
     const ParsedText parsed = parse(text, problems);

@@ -20,7 +20,7 @@ using evidence::Verdict;
 /// Readings of two kinds of unknowns that are all determined.
 struct Campaign {
     Eigen::MatrixXd design;
-    Eigen::VectorXd u;  ///< as stated
+    Eigen::VectorXd u;  ///< stated uncertainties
     std::vector<std::size_t> figure_of;
 
     RedundantReadings readings(const Eigen::VectorXd& errors) const {

@@ -67,7 +67,7 @@ protected:
         wire();
     }
 
-    /// What goes into what, from the names alone.
+    /// Connects outputs and inputs, from the names alone.
     void wire() {
         wires_.resize(5);
         wires_[1] = {{links_[1].at("L_A1A2"), links_[0].output("", "L")}};
@@ -259,7 +259,7 @@ TEST_F(ChainByHand, APointThatTheNetworkHasNotIsNamed) {
     EXPECT_NE(problems.items().front().message.english().find("does not offer"), std::string::npos);
 }
 
-/// What the evaluation says that it does not show.
+/// Number of stated values that other analyses give, by the evaluation's note; 0: it has no such note.
 std::size_t restated_links(const char* project, const char* analysis) {
     Problems problems;
     const auto made =

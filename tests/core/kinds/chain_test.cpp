@@ -17,7 +17,7 @@ namespace {
 struct Written {
     std::string id;
     std::vector<std::string> equations, outputs;
-    std::vector<std::string> rows;   ///< of the table of quantities: symbol, value, unit, statement, a, nu
+    std::vector<std::string> rows;   ///< the table of quantities: symbol, value, unit, statement, a, nu
     std::vector<std::string> links;  ///< input, analysis, output
     std::string more = {};           ///< further members of the analysis
 };
@@ -132,7 +132,7 @@ public:
     explicit RandomChain(unsigned seed) : generator_(seed) {
         const std::size_t count = 3 + generator_() % 5;
         for (std::size_t i = 0; i < count; ++i) add(i, i + 1 == count);
-        // As the chain has them: the last one's quantities, then upstream ones as they are reached.
+        // The order is the chain's: the last one's quantities, then upstream ones as they are reached.
         Written flat{"flat", {}, {}, {}, {}};
         order(count - 1, flat);
         flat.rows.insert(flat.rows.begin(), own_.back().begin(), own_.back().end());
@@ -211,7 +211,7 @@ TEST(Chain, GoesDownToTheCertificate) {
         ids.insert(result.budget.components[row.component].id);
     EXPECT_TRUE(ids.contains("gauge:l_S.1"));
     EXPECT_TRUE(ids.contains("theta.1"));
-    EXPECT_FALSE(ids.contains("l.1"));  // what the set-up says of l beside the link
+    EXPECT_FALSE(ids.contains("l.1"));  // stated by the set-up beside the link
     double of_gauge = 0.0;
     for (const GroupContribution& g : contributions_by_group(result.budget, 0, "analysis"))
         if (g.group == "gauge") of_gauge = g.share;
@@ -248,7 +248,7 @@ TEST(Chain, AnInstrumentOnTwoWaysIsOneInstrument) {
     const double u_y = run(loaded.project, "one").outputs.at(0).standard_uncertainty;
     const UncertaintyResult result = run(loaded.project, "d");
     const double u_d = result.outputs.at(0).standard_uncertainty;
-    EXPECT_GT(u_y, 20e-6);                       // of the scale, and the reading
+    EXPECT_GT(u_y, 20e-6);                       // the scale, and the reading
     EXPECT_LT(u_d, 0.8 * std::sqrt(2.0) * u_y);  // the scale cancels
     EXPECT_EQ(assets_used_by(loaded.project, loaded.project.analyses[2]), std::vector<std::string>{"lt"});
     EXPECT_EQ(analyses_using(loaded.project, "lt"), (std::vector<std::string>{"one", "two", "d"}));
@@ -263,7 +263,7 @@ TEST(Chain, AnUpstreamEditIsAnEditOfWhatIsMadeOfIt) {
     EXPECT_EQ(prepared(before, "other")->fingerprint(), prepared(after, "other")->fingerprint());
     Project renamed = before;
     renamed.analyses[1].name = "Gauge";
-    renamed.analyses[1].options.trials = 77'000;  // of its own evaluation
+    renamed.analyses[1].options.trials = 77'000;  // for its own evaluation
     EXPECT_EQ(prepared(before, "use")->fingerprint(), prepared(renamed, "use")->fingerprint());
     EXPECT_EQ(analyses_used_by(before, before.analyses[0]), std::vector<std::string>{"gauge"});
     EXPECT_EQ(analyses_taking_from(before, "gauge"), std::vector<std::string>{"use"});
@@ -339,7 +339,7 @@ TEST(Chain, AnErrorUpstreamIsSaidInTheWordsOfItsAnalysis) {
     EXPECT_EQ(said.find("errors of its own", said.find("errors of its own") + 1), std::string::npos) << said;
 }
 
-// As the tree of the window has them.
+// Circles are named as in the window's tree.
 TEST(Chain, CirclesAreOfNamesNotIds) {
     const auto part = [](const std::string& id, const std::string& name, const std::string& from) {
         return Written{id,

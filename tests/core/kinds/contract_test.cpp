@@ -1,4 +1,4 @@
-// What every measurement model promises, checked for each one in the registry with the analyses of its
+// The promises of every measurement model, checked for each one in the registry with the analyses of its
 // example.
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// What is made out of the state before is what would be made of nothing: random edits of every shipped
+// A project made out of the state before equals one made of nothing: random edits of every shipped
 // project.
 #include <gtest/gtest.h>
 

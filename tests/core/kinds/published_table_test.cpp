@@ -1,4 +1,4 @@
-// What Table 4 of Porath et al. is: a variant of the model with two slips reproduces all of its 78 cells.
+// Table 4 of Porath et al. explained: a variant of the model with two slips reproduces all of its 78 cells.
 //
 // (1) The standard uncertainties (0.066, 0.110, 0.105) mm are applied by point instead of by coordinate.
 // (2) Eq 18 takes p1 without its deviation: o_p = nominal p1 + R_p s_p.

@@ -21,7 +21,7 @@ std::shared_ptr<const PreparedAnalysis> prepared(const Project& project) {
     return analysis;
 }
 
-// What the window does: the model's components are copied into the project, changed and added to.
+// The edit is the window's: the model's components are copied into the project, changed and added to.
 TEST(TemperatureComponent, AComponentOfATemperatureLeavesItsEstimate) {
     const LoadedProject loaded = parse_project(expansion, {}, "expansion");
     for (const Problem& p : loaded.problems.items()) FAIL() << p.path << ": " << p.message.english();

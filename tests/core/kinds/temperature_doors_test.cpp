@@ -60,7 +60,7 @@ struct Found {
     double estimate = refused, u = refused;
 };
 
-/// Of the output y of the analysis a.
+/// The output y of the analysis a, or the first objection.
 Found found_in(const LoadedProject& loaded) {
     Found found;
     for (const Problem& problem : loaded.problems.items())
@@ -325,7 +325,7 @@ const Problem& first_error_of(const LoadedProject& loaded) {
     return none;
 }
 
-/// With the way out number `index` of the first problem taken.
+/// The same after the remedy number `index` of the first problem was taken.
 Found mended_by(const std::string& analyses, std::size_t index) {
     const LoadedProject loaded = project_of(analyses);
     const Problem& problem = first_error_of(loaded);
@@ -374,7 +374,7 @@ TEST(TemperatureDoors, OneClickLeadsOut) {
         EXPECT_EQ(mended.objection, "") << place;
         EXPECT_NEAR(mended.estimate, 20.0, 1e-12) << place;
     }
-    // On the other scale all of it stays there.
+    // A temperature in Fahrenheit stays on its scale, with Rankine for differences.
     const std::string gain = analysis("a", "y = 0.01 [1/degR]*t", row("t", "68", "degF", "standard", "0.9"));
     for (const std::size_t way : {0u, 1u}) EXPECT_NEAR(mended_by(gain, way).estimate, 0.68, 1e-12) << way;
     EXPECT_NEAR(mended_by(gain, 2).estimate, 0.01 * (68.0 + 459.67), 1e-12);
@@ -390,7 +390,7 @@ TEST(TemperatureDoors, OneClickLeadsOut) {
     EXPECT_NEAR(mended_by(upstream + ", " + analysis("a", "y = t", t, "", link), 0).estimate, 5.0, 1e-12);
 }
 
-// Of a column in a project the head is mended; that of a file stands in the file, which is refused.
+// A column in the project has its head mended; a file has it in itself, and is refused.
 TEST(TemperatureDoors, ColumnsOfDifferencesTakeNoTemperature) {
     ColumnSpec rise;
     rise.key = "rise";

@@ -1,4 +1,4 @@
-// What an edit makes anew, counted; problems that keep their place; circles.
+// The entries that an edit makes anew, counted; problems that keep their place; circles.
 #include "core/made/made_project.h"
 
 #include <gtest/gtest.h>
@@ -39,7 +39,7 @@ struct Edited : testing::Test {
     Project project = start();
     MadeProject::Pointer before = MadeProject::make(project), now;
 
-    /// What making anew has to do.
+    /// Applies a change; returns how much was made anew.
     MakingCounts edit(const std::function<void(Project&)>& change) {
         change(project);
         now = MadeProject::make(project, before);

@@ -101,7 +101,7 @@ TEST(Glossary, EveryTermIsInOrderAndSaysWhatItIs) {
         EXPECT_NE(std::find(terms.begin(), terms.end(), term), terms.end()) << term;
 }
 
-/// What a translation has in common with its page: kinds of blocks, places, sizes of tables, words in code.
+/// The parts that a translation shares with its page: kinds of blocks, places, sizes of tables, code words.
 std::vector<std::string> frame_of(const std::vector<ReportBlock>& blocks) {
     std::vector<std::string> frame;
     std::multiset<std::string> code;

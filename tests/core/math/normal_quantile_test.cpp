@@ -14,7 +14,7 @@
 namespace covaria::normal_quantile_test {
 namespace {
 
-/// In extended precision, so that the reference is correct to the last bit of a double.
+/// The quantile in extended precision, so that the reference is correct to the last bit of a double.
 double reference_quantile(double p) {
     const long double q = static_cast<long double>(p);
     const long double root2 = std::numbers::sqrt2_v<long double>;
@@ -27,7 +27,7 @@ std::vector<double> probabilities() {
     for (int k = -1000; k <= -1; ++k) p.push_back(std::ldexp(1.0, k));
     for (int k = -53; k <= -2; ++k) p.push_back(1.0 - std::ldexp(1.0, k));
     for (int i = 1; i < 4000; ++i) p.push_back(i / 4000.0);
-    for (const double edge : {0.075, 0.925, 1.3887943864964021e-11})  // where the formulae change: r = 5
+    for (const double edge : {0.075, 0.925, 1.3887943864964021e-11})  // changes of formula: r = 5
         for (const double step : {-1e-15, 0.0, 1e-15}) p.push_back(edge * (1.0 + step));
     return p;
 }

@@ -48,7 +48,7 @@ Matrix3<double> rotation_of(RotationConvention convention, const std::array<doub
     return rotation_from_quaternion(v);
 }
 
-// At the singularities of each convention, a little off them, and with what rounding leaves of them.
+// Rotations at the singularities of each convention, a little off them, and with rounding left in them.
 std::vector<Matrix3<double>> singular_rotations() {
     std::vector<Matrix3<double>> all;
     for (double off : {0.0, 1e-17, 1e-16, 1e-15, 1e-12, 1e-9, 1e-8, 1e-6, 1e-3})

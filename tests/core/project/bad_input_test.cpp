@@ -133,7 +133,7 @@ TEST_P(BadInputTest, IsNamedWithItsPlace) {
     EXPECT_EQ(problem.file, "test.covaria");
 }
 
-/// What is left of a message when the words of the program are taken away: symbols and names in quotes.
+/// A message without the words of the program has only symbols and names in quotes left.
 TEST_P(BadInputTest, IsSaidInTheLanguageOfTheWindow) {
     const LoadedProject loaded = parse(changed(GetParam().from, GetParam().to));
     const Problem problem = problem_with(loaded.problems, GetParam().message);

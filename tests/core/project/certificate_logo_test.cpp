@@ -18,7 +18,7 @@ struct CertificateLogo : testing::Test {
     void file(const std::string& name, const std::string& bytes) {
         ASSERT_TRUE(write_file_atomically(project.directory / name, bytes));
     }
-    /// What the project is warned of.
+    /// Warnings of a project with this logo.
     std::string said_of(const std::string& name) {
         project.certificate.logo = name;
         std::string all;

@@ -1,4 +1,4 @@
-// What goes into the report: one list of chapters, and what follows from it.
+// Contents of the report: one list of chapters, and what follows from it.
 #include "core/project/report_contents.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// What is loaded and saved comes back byte for byte; older versions are brought up.
+// A project that is loaded and saved comes back byte for byte; older versions are brought up.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -31,7 +31,7 @@ std::set<std::string> keys_of(const Json& object) {
     return keys;
 }
 
-/// Nothing is as it is by default: every key is written.
+/// An analysis with every key: nothing is as it is by default.
 AnalysisEntry full_analysis() {
     const Quantity q{1.5, Unit::of("mm")};
     AnalysisEntry a{.id = "a", .model = "measurement-equation"};
@@ -99,7 +99,7 @@ TEST(JsonSchema, HasTheKeysThatAreWritten) {
         for (const auto& [key, field] : definitions()[name]["properties"].items())
             EXPECT_TRUE(field.contains("description") || field.contains("$ref")) << name << "/" << key;
     }
-    // What is read is what was written: a key that the reader does not know is a problem.
+    // The reader knows every key that was written: an unknown one is a problem.
     const LoadedProject again = parse_project(project_text(project), {}, "full");
     for (const Problem& p : again.problems.items())
         EXPECT_EQ(p.message.english().find("there is no '"), std::string::npos)

@@ -32,7 +32,7 @@ struct Estimated {
     double value = 0.0, standard_error = 0.0;
 };
 
-/// Of a - b u_a/u_b, over its variance by the law of propagation.
+/// Variance of a - b u_a/u_b, over that by the law of propagation.
 Estimated variance_ratio(const InputSet& inputs, double r, std::uint64_t seed) {
     const detail::DrawPlan plan(inputs, inputs.correlations);
     detail::TrialRows rows(2);

@@ -179,7 +179,7 @@ double exact_distribution_function(const Distribution& distribution, double x) {
     return t_distribution_function((x - t.mean) / t.scale, t.degrees_of_freedom);
 }
 
-/// Of X - E X plus normal noise: the mean of that over the noise, piece by piece between the ends of X.
+/// Distribution function of X - E X plus normal noise: mean over the noise, piece by piece between ends of X.
 double exact_with_noise(const Distribution& distribution, double sigma, double x) {
     constexpr double end = 9.0;
     const double centre = x + distribution.mean();

@@ -92,7 +92,7 @@ TEST(DependentOutputs, HaveResultsAndNoEllipsoid) {
     }
 }
 
-/// Of a value that is one of some, far apart or near, with a normal deviation about it.
+/// The distribution of a value that is one of some, far apart or near, with a normal deviation about it.
 struct Peaks {
     std::vector<double> values, probabilities;
     double below(double limit) const {
@@ -210,7 +210,7 @@ TEST(SecondOrder, IsThatOfTheNoteToJcgm100ForCubics) {
     }
 }
 
-/// Of one standard normal quantity with this scale; `slope` is its derivative.
+/// A model y = value(z), z = (x_1 + 2 x_2)/scale, of two normal quantities; `slope` is its derivative by z.
 FunctionModel model_of(double scale, double (*value)(double), double (*slope)(double)) {
     return FunctionModel(
         normal_inputs({{0.0, scale}, {0.0, scale}}), outputs_named({"y"}),
@@ -283,7 +283,7 @@ TEST(Kinks, RoundingIsNone) {
     }
 }
 
-/// Without sensitivity coefficients Monte Carlo answers, and says so; the law of propagation is refused.
+/// Monte Carlo answers without sensitivity coefficients, and says so; the law of propagation is refused.
 TEST(Kinks, MonteCarloAnswersWhereThereIsNoDerivative) {
     const FunctionModel model = model_of(
         1.0, [](double z) { return std::cbrt(z); },
@@ -392,7 +392,7 @@ private:
     bool given_ = false;
 };
 
-/// What a file says of a unit may be anything, with a fitting check sum: a number of trials that no run has
+/// A stored unit may say anything, with a fitting check sum: a number of trials that no run has
 /// must not be waited for.
 TEST(StoredUnits, AnyWordMayBeChanged) {
     Figures figures(23);

@@ -71,7 +71,7 @@ double bent_quantile(double p, double c = 0.1) {
     return low;
 }
 
-/// By theory for large batches: 1/(1 - r^2), r the correlation of "y is below its p-quantile" with "x1 is
+/// Theory for large batches: 1/(1 - r^2), r the correlation of "y is below its p-quantile" with "x1 is
 /// below its own".
 double bent_gain_of_quantile(double p) {
     constexpr double step = 0.05;
@@ -92,12 +92,12 @@ void expect_gain(double gain, double expected, double batches, double terms) {
     EXPECT_LT(gain, expected * f_quantile(1.0 - 0.5e-5, batches - 1.0, batches - terms));
 }
 
-/// Of how many seeds two reported standard errors hold the true mean, u and ends of the interval.
+/// Number of seeds for which two reported standard errors hold the true mean, u and ends of the interval.
 struct Coverage {
     int seeds = 0;
     std::array<int, 4> inside{};
 
-    // Of a normal deviate 95.4 % lie within two standard errors; 2,000 seeds know that to 0.5 %, 500 to 1 %.
+    // Two standard errors hold 95.4 % of a normal deviate; 2,000 seeds know that to 0.5 %, 500 to 1 %.
     void expect_honest(std::size_t figures = 4) const {
         for (std::size_t f = 0; f < figures; ++f) {
             EXPECT_GE(inside[f], 0.93 * seeds) << f;
@@ -132,7 +132,7 @@ TEST(ControlVariate, TwoStandardErrorsHoldTheTrueValue) {
     coverage_of(0.1, options_with(VarianceReduction::control_variate, 50'000), 2000, true).expect_honest();
 }
 
-/// Where the ranks around that of an interval end are asked, too.
+/// The ranks around that of an interval end are checked, too.
 TEST(ControlVariate, TwoStandardErrorsHoldTheTrueValueOfAnAlmostLinearModel) {
     coverage_of(0.02, options_with(VarianceReduction::control_variate, 100'000), 1000, true).expect_honest();
 }
@@ -293,7 +293,7 @@ TEST(ControlVariate, IsExactForLinearModels) {
     const double end = 2.0 - std::sqrt(8.0 * 0.025);  // triangle of width 4
     EXPECT_NEAR(y.symmetric.low, 3.0 - end, 1e-7);
     EXPECT_NEAR(y.symmetric.high, 3.0 + end, 1e-7);
-    // What is exact is the mean; the quantile of the linear part is computed, and its error is stated.
+    // The mean is exact; the quantile of the linear part is computed, and its error is stated.
     EXPECT_LT(y.reduced->standard_errors.mean, 1e-12);
     EXPECT_LT(y.reduced->standard_errors.high, 1e-5);
     EXPECT_LE(std::abs(y.symmetric.high - 3.0 - end), y.reduced->standard_errors.high);
@@ -418,7 +418,7 @@ TEST(ControlVariate, AdaptiveRunsStopEarlier) {
     EXPECT_NEAR(output_of(reduced).symmetric.high, bent_quantile(0.975), 0.01);
 }
 
-/// Not linear, and yet with the tails of x1.
+/// A model that is not linear, and yet has the tails of x1.
 FunctionModel bounded_curve(const Distribution& x1) {
     InputSet inputs;
     add_quantity(inputs, "x1", x1);

@@ -72,7 +72,7 @@ EvaluationOptions first_order() {
     return options;
 }
 
-// With the component reduced to what was said, U is the target.
+// U is the target when the component is reduced as was said.
 TEST(ReverseBudget, AReducedComponentMeetsTheTarget) {
     expect_targets_met(sum_model(three()), three(), first_order(), 0.8, 1e-9, 2);
     expect_targets_met(sum_model(three()), three(), trials(40'000), 0.8, 2e-4, 2);
@@ -180,7 +180,7 @@ double counted(const Eigen::MatrixXd& outputs, double low, double high) {
     return (outputs.row(0).array() >= low && outputs.row(0).array() <= high).cast<double>().mean();
 }
 
-// What is kept of the distribution says the same as the trials: body, tails, ends, jumps.
+// The kept distribution says the same as the trials: body, tails, ends, jumps.
 TEST(Requirements, TheKeptDistributionIsThatOfTheTrials) {
     constexpr std::uint64_t n = 100'000;
     InputSet continuous, discrete, mixed;

@@ -80,7 +80,7 @@ TEST(ResultLine, AFixedCoverageFactorIsThatOfBothMethods) {
     }
 }
 
-// What a study states of a grid point is what the run states, however many trials there are.
+// A study states at a grid point what a run states, however many trials there are.
 TEST(ResultLine, TheSummaryStatesTheSame) {
     InputSet inputs = mean_of(5, 0.2);
     add_quantity(inputs, "r", Distribution::of(Rectangular{-0.1, 0.1}), infinity);

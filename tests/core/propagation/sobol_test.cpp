@@ -77,7 +77,7 @@ TEST(Sobol, WhatOnlyInteractsIsInTheBudget) {
     expect_index(index_of(result, "x3"), 0.2, 0.2);
 }
 
-// Where the law of propagation sees nothing at all, the budget says so of every component.
+// The budget has a zero for every component where the law of propagation sees nothing at all.
 TEST(Sobol, WhatNothingInfluencesToFirstOrderHasABudgetOfZeros) {
     InputSet inputs;
     for (const char* name : {"x1", "x2"})

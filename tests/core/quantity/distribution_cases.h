@@ -49,7 +49,7 @@ inline Distribution discrete_case() {
     return Distribution::of(Discrete{{8.0, 1.0, 4.0, 2.0}, {0.1, 0.4, 0.2, 0.3}});
 }
 
-/// Those that a jump or a kink of the quantile function keeps out of integrals over it.
+/// Distributions that a jump or a kink of the quantile function keeps out of integrals over it.
 inline std::vector<Distribution> stepped_cases() {
     std::vector<Distribution> cases{discrete_case()};
     for (const DistributionParameters& parameters : std::vector<DistributionParameters>{

@@ -1,4 +1,4 @@
-// What Distribution refuses, and the table of kinds.
+// Parameters that Distribution refuses, and the table of kinds.
 #include <gtest/gtest.h>
 
 #include <cmath>

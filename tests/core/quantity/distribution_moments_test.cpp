@@ -98,7 +98,7 @@ TEST(DistributionMoments, OfAwkwardCasesAgreeWithTheirQuantiles) {
     }
 }
 
-/// By the values themselves, and of a histogram by the midpoint rule over the probability.
+/// The quantiles are the values themselves; a histogram takes the midpoint rule over the probability.
 TEST(DistributionMoments, OfStepsAgreeWithTheirQuantiles) {
     for (const Distribution& distribution : stepped_cases()) {
         SCOPED_TRACE(described(distribution));

@@ -143,7 +143,7 @@ TEST(DistributionQuantiles, StudentTAgreesWithBoost) {
 TEST(DistributionQuantiles, StudentTKeepsItsDigitsAtTheCentre) {
     for (const double d : {1e-7, 1e-5, 1e-3, 0.01, 0.1}) {  // closed forms for 1 and 2 degrees of freedom
         const double p = 0.5 + d;
-        const double offset = p - 0.5;  // as it is after rounding
+        const double offset = p - 0.5;  // rounded as the quantile gets it
         EXPECT_NEAR(
             Distribution::of(StudentT{0.0, 1.0, 1.0}).quantile(p) / std::tan(std::numbers::pi * offset), 1.0,
             1e-10);

@@ -1,4 +1,4 @@
-// What people type into a cell of a budget about an uncertainty.
+// Statements of uncertainty that people type into a cell of a budget.
 #include "core/quantity/statement_text.h"
 
 #include <gtest/gtest.h>
@@ -79,7 +79,7 @@ TEST(StatementText, IsReadAsPeopleNoteIt) {
     EXPECT_EQ(typed("3 s", Unit::of("s")), (TypedStatement{"standard", 3.0})) << "a letter is a unit";
 }
 
-/// As in German; "exp" is the beginning of an English and of a German word.
+/// German words; "exp" is the beginning of an English and of a German word.
 std::string in_german(const std::string& english) {
     static const std::map<std::string, std::string> words{{"rectangular", "rechteckig"},
                                                           {"limits", "Grenzen"},
@@ -111,7 +111,7 @@ TEST(StatementText, WordsOfAnotherLanguageAreReadBesideTheEnglishOnes) {
     EXPECT_EQ(german("75 nm"), (TypedStatement{"standard", 75.0}));
     EXPECT_EQ(german("U = 75 nm, k = 3"), (TypedStatement{"certificate-k", 75.0, 3.0}));
     EXPECT_EQ(german("quadratisch 3"), TypedStatement{"refused"});
-    // What is written is read again.
+    // A text that is written is read again.
     for (const TypedStatement& statement :
          {TypedStatement{"rectangular", 0.5}, TypedStatement{"limits", -1.0, 2.0},
           TypedStatement{"trapezoidal", 1.0, 0.5}, TypedStatement{"resolution", 0.1},

@@ -1,5 +1,5 @@
-// Digital Calibration Certificates: what every version says of uncertainty, units, lists, covariances, and
-// what is refused.
+// Digital Calibration Certificates: uncertainty, units, lists, covariances in every version, and the refused
+// files.
 #include "core/kinds/registries.h"
 #include "core/readers/dsi_unit.h"
 #include "tests/core/readers/reading.h"

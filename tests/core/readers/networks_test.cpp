@@ -202,7 +202,7 @@ TEST(ReadGama, ALevellingOnObservedHeightsIsAnAdjustment) {
     EXPECT_EQ(errors_of(*read), "");
     ASSERT_EQ(read->analyses.size(), 1u);
     const UncertaintyResult result = first_order(*read);
-    // By hand: A and B with variances 4, covariance 2, C by two ways: misclosure 4 mm, its variance
+    // The sum by hand: A and B with variances 4, covariance 2, C by two ways: misclosure 4 mm, its variance
     // 4 + 4 - 2*2 + 9 + 9 = 22, of which the way by A has 9 + 4 - 2 = 11.
     for (const OutputResult& output : result.outputs)
         if (output.quantity.group == "C") {

@@ -63,7 +63,7 @@ bool is_said(const std::string& text) {
     return text.find('[') != std::string::npos;
 }
 
-/// Of what has words; names that people gave ("failed one", analyses) stand alone as heads only.
+/// Checks every block with words; names that people gave ("failed one", analyses) stand alone as heads only.
 struct AllSaid {
     const ReportDocument& document;
     void operator()(const HeadingBlock& block) const {

@@ -21,7 +21,7 @@ bool contains(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;
 }
 
-/// In millimetres, by the law of propagation.
+/// An output with figures in millimetres, by the law of propagation.
 OutputResult output_of(double estimate_mm, double U_mm, double nu = infinity, double k = 2.0) {
     OutputResult output;
     output.quantity = {"L", "length of the gauge", test::mm(), "", OutputRole::measurand, false};

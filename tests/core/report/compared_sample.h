@@ -44,8 +44,8 @@ inline void add_sample_output(UncertaintyResult& result, const std::string& symb
     result.outputs.push_back(std::move(output));
 }
 
-/// Of x, u goes from 5 um (calibration 4, drift 3) to sqrt(45) um (a new one 6, drift 3); y stays at 1 um; z
-/// is only before, w only after.
+/// A comparison: u of x goes from 5 um (calibration 4, drift 3) to sqrt(45) um (a new one 6, drift 3); y
+/// stays at 1 um; z is only before, w only after.
 inline ResultComparison sample_comparison() {
     auto before = std::make_shared<UncertaintyResult>();
     add_sample_output(*before, "x", "pose 1", 0.1,

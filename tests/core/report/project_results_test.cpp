@@ -1,4 +1,4 @@
-// What a project states for all its results: units and digits change no number, k does where an analysis
+// The project's statements for all its results: units and digits change no number, k does where an analysis
 // states none.
 #include "core/project/project_results.h"
 #include "core/document/document_writers.h"
@@ -151,7 +151,7 @@ TEST(ProjectResults, TheReportHasAsManyDigitsAsTheyState) {
         EXPECT_NE(report.find("| " + text + " |"), std::string::npos) << text;
 }
 
-/// What the files say of the inputs is enough to recompute u_c: JCGM 100 H.2, with observations made
+/// The files state enough of the inputs to recompute u_c: JCGM 100 H.2, with observations made
 /// together.
 TEST(ProjectResults, TheFilesHaveTheCorrelationsOfTheInputs) {
     Project project = load_project(COVARIA_SOURCE_DIR "/projects/gum/h2-impedance.covaria").project;

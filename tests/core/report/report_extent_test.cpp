@@ -1,4 +1,4 @@
-// What goes into a report, and how it becomes short: nothing is lost that the annex is asked for.
+// Contents of a report, and how it becomes short: nothing is lost that the annex is asked for.
 #include "core/report/report_extent.h"
 
 #include <gtest/gtest.h>

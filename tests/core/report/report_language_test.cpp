@@ -22,7 +22,7 @@
 namespace covaria::report_language_test {
 namespace {
 
-/// Of every text only what stands in it remains, so that what is left of a report are names and numbers.
+/// A language that leaves of every text only its placeholders, so that names and numbers remain of a report.
 struct Mute {
     std::set<std::string> asked;
     DocumentLanguage language{"xx", {",", "'"}, [this](const std::string& english) {
@@ -85,7 +85,7 @@ struct Sample {
     bool annex = false;
 };
 
-/// With something in every chapter.
+/// A result with something in every chapter.
 UncertaintyResult result_of(const Sample& sample) {
     UncertaintyResult result = test::sample_result({sample.poses, 3, 3, sample.monte_carlo, "pose"});
     test::change_inputs(result, [](InputSet& inputs) {
@@ -212,7 +212,7 @@ struct Texts {
         for (const PlotBand& band : block.plot.bands) add(band.label);
     }
     void operator()(const SceneBlock& block) { texts.push_back(block.caption); }
-    void operator()(const EquationBlock&) {}  // of the model, with its source
+    void operator()(const EquationBlock&) {}  // an equation of the model, with its source
     void operator()(const ContentsBlock&) {}  // the headings
     template <class Other>
     void operator()(const Other&) {
@@ -226,7 +226,7 @@ std::vector<std::string> texts_of(const ReportDocument& document) {
     return texts.texts;
 }
 
-/// What the sample and its model call theirs.
+/// The text without the names that the sample and its model give.
 std::string without_names(const std::string& text) {
     static const std::regex names(
         "Stewart platform <test & trial>|Pose of the platform|pose [0-9]+|sample-pose|study-[0-9f]|"
@@ -273,7 +273,7 @@ void know(std::set<std::string>& known, const Table& table) {
     }
 }
 
-/// Of a table whose keys are its heads for people, too.
+/// Adds a table whose keys are its heads for people, too.
 void know_heads(std::set<std::string>& known, const Table& table) {
     known.insert(table.title);
     for (const Column& column : table.columns) known.insert({column.key, column.head});
@@ -312,7 +312,7 @@ TEST(ReportLanguage, CataloguesHaveWhatIsAskedFor) {
         EXPECT_TRUE(known.contains(text)) << "the catalogues have no " << text;
 }
 
-/// With this group of results, contributor, and group of contributions.
+/// Texts of a report with this group of results, contributor, and group of contributions.
 std::vector<std::string> texts_with(const Name& name, const DocumentLanguage& in) {
     EvaluatedAnalysis evaluated = analysis_of({});
     auto result = std::make_shared<UncertaintyResult>(*evaluated.result);

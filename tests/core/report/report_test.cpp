@@ -359,7 +359,7 @@ TEST(Report, ShowsWhatRemainsWithoutAContributor) {
         build_report(*MadeProject::make(test::sample_project()), {test::sample_analysis(result)}));
     EXPECT_TRUE(contains(text, "without Robot"));
     EXPECT_TRUE(contains(text, "By the law of propagation."));
-    const ReportDocument document =  // with room for long tables
+    const ReportDocument document =  // has room for long tables
         build_report(*MadeProject::make(test::sample_project()), {test::sample_analysis(result)}, {},
                      {{}, {"budgets", "comparison", "distributions"}, false});
     const TableBlock* table = table_with_id(document, "contributors-typed");

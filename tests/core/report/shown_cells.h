@@ -1,4 +1,4 @@
-// What writers show of the tables of a document.
+// The texts that writers show in the tables of a document.
 #pragma once
 
 #include <string>

@@ -125,7 +125,7 @@ TEST(StudyPlot, MapHasTheSecondAxisUpwards) {
     EXPECT_DOUBLE_EQ(plot.series[0].z[0], 0.022);  // length 10, angle 20
     EXPECT_DOUBLE_EQ(plot.series[0].z[5], 0.006);  // length 30, angle 10
     EXPECT_DOUBLE_EQ(plot.z_high, 0.026);
-    // As set up, length and angle are 15: between the first and the second column, below the lowest row.
+    // The set-up has length and angle 15: between the first and the second column, below the lowest row.
     StudyResult inside = sample({3, 2});
     ASSERT_EQ(plot.marks.size(), 2u);
     EXPECT_DOUBLE_EQ(plot.marks[0].at, 0.5);

@@ -45,7 +45,7 @@ const PointCoordinates outputs{Kind::outputs, {0, 1, 2}};
 
 TEST(JointCovariance, OfOutputsIsThatOfTheResult) {
     UncertaintyResult result = a_result();
-    result.covariance.whole()(0, 1) = result.covariance.whole()(1, 0) = 7e-6;  // as Monte Carlo found it
+    result.covariance.whole()(0, 1) = result.covariance.whole()(1, 0) = 7e-6;  // found by Monte Carlo
     const auto V = JointCovariance(result).of({outputs, {Kind::outputs, {2, 0, 1}}});
     ASSERT_TRUE(V);
     EXPECT_EQ((*V)(0, 1), 7e-6);
@@ -98,7 +98,7 @@ TEST(JointCovariance, IsAlongTheAxesOfW) {
 TEST(JointCovariance, IsEmptyWhereItIsNotKnown) {
     UncertaintyResult result = a_result();
     EXPECT_FALSE(JointCovariance(result).of({{Kind::outputs, {0, 1, 3}}})) << "no such output";
-    result.covariance.whole()(1, 1) = std::numeric_limits<double>::infinity();  // by Monte Carlo
+    result.covariance.whole()(1, 1) = std::numeric_limits<double>::infinity();  // found by Monte Carlo
     EXPECT_FALSE(JointCovariance(result).of({outputs}));
     EXPECT_TRUE(JointCovariance(result).of({{Kind::outputs, {0, 0, 2}}})) << "an infinite u elsewhere";
 }

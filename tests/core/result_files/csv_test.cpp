@@ -102,7 +102,7 @@ TEST(ResultTables, FilesAreThoseOfTheTables) {
     }
 }
 
-// Of thousands of outputs the whole matrix would be gigabytes: a point has the pairs of its coordinates.
+// The whole matrix of thousands of outputs would be gigabytes: a point has the pairs of its coordinates.
 TEST(ResultTables, CovariancesOfThousandsOfOutputsAreThoseOfTheirGroups) {
     UncertaintyResult result = test::sample_result({1, 1, 1, false, "pose"});
     result.outputs.resize(3);

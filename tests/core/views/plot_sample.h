@@ -12,7 +12,7 @@ namespace covaria::test {
 
 inline constexpr double plot_trials = 1e6;
 
-/// What 10^6 trials of a normal distribution would give, without chance.
+/// The result that 10^6 trials of a normal distribution would give, without chance.
 inline MonteCarloOutput normal_trials(double mean, double u) {
     MonteCarloOutput mc;
     mc.mean = mean;

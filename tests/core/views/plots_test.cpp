@@ -78,7 +78,7 @@ TEST(HistogramPlot, LabelsHaveTheDecimalSignThatIsAskedFor) {
     }
 }
 
-// In metres numbers of some micrometres need a power of ten: one for the axis and all that is said on it.
+// Numbers of some micrometres in metres need a power of ten: one for the axis and all marks on it.
 TEST(HistogramPlot, MarksHaveThePowerOfTenOfTheirAxis) {
     UncertaintyResult result = test::plot_sample();
     OutputResult& y = result.outputs[0];

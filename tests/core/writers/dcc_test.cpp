@@ -74,7 +74,7 @@ bool has_xmllint() {
     return std::system("xmllint --version > /dev/null 2>&1") == 0;
 }
 
-/// What xmllint says of it; empty if it is valid.
+/// Complaints of xmllint; empty if it is valid.
 std::string invalid_because(const std::string& xml) {
     const fs::path folder = schema_folder(), file = folder / "certificate.xml", said = folder / "said.txt";
     EXPECT_TRUE(write_file_atomically(file, xml));

@@ -91,7 +91,7 @@ struct ReadPoint {
     std::vector<double> figures;
 };
 
-/// By `covaria import`: the points of its analysis "Points as stated".
+/// The points of "Points as stated", the analysis that `covaria import` makes.
 std::vector<ReadPoint> points_back(const std::string& text) {
     const auto read = find_reader("spatialanalyzer")->read(text, {.file_name = "points.txt", .chosen = true});
     EXPECT_TRUE(read) << read.error().message.english() << "\n" << text;

@@ -59,7 +59,7 @@ Eigen::Isometry3d tool_of(const SerialRobotSource& robot, const std::vector<doub
     return robot.X_WB() * link_frames(robot, q).back();
 }
 
-/// At a hundred random readings.
+/// Compares the tool poses of two robots at a hundred random readings.
 void expect_same_tool(const SerialRobotSource& a, const SerialRobotSource& b, const std::string& what) {
     ASSERT_EQ(a.joints().size(), b.joints().size()) << what;
     std::mt19937 random(7);
@@ -153,7 +153,7 @@ TEST(WriteRobots, ACalibrationComesBackToTheSameNumbers) {
     expect_same_tool(robot_in(*first, "back"), robot_in(*back_from_calibration(file->bytes), "back"),
                      "calibration");
     EXPECT_NE(file->bytes.find("\n  hash: calib_"), std::string::npos) << file->bytes;
-    // In URDF the same arm.
+    // The URDF describes the same arm.
     expect_same_tool(robot_in(*first, "back"),
                      robot_in(*back_from_urdf(written("urdf", *first)->bytes), "back"), "as URDF");
 }

@@ -29,7 +29,7 @@ void expect_a_chart(const PlotSpecification& plot, const std::string& what) {
     EXPECT_FALSE(plot_image({plot, Theme::light(), size, std::nullopt}, 1.0).isNull()) << what;
 }
 
-/// Its results, their trials and distributions, with other figures.
+/// The results of the plots' sample, with trials and distributions, for other figures.
 UncertaintyResult result_of(double mean, double u) {
     UncertaintyResult result = covaria::test::plot_sample();
     for (OutputResult& output : result.outputs) {

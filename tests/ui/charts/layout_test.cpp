@@ -13,7 +13,7 @@
 namespace covaria::ui::layout_test {
 namespace {
 
-/// Without the leading of the line: where there is ink.
+/// The part of a text's box that has ink: without the leading of the line.
 QRectF ink(const PlacedText& text) {
     const double lead = 0.14 * (text.upwards ? text.box.width() : text.box.height());
     return text.upwards ? text.box.adjusted(lead, 0.0, -lead, 0.0) : text.box.adjusted(0.0, lead, 0.0, -lead);
@@ -72,7 +72,7 @@ TEST(ChartLayout, KeepsLongNamesInside) {
     expect_clear(layout_chart(plot, {380, 260}, whole_view(plot)), {380, 260}, "long");
 }
 
-/// Of a study: its axes have other values, so that the cells are not made square.
+/// The map is of a study: its axes have other values, so that the cells are not made square.
 TEST(ChartLayout, NamesOnlyAsManyColumnsOfAMapAsHaveRoom) {
     PlotSpecification plot = test::all_plots()[4];
     plot.x.categories.clear();

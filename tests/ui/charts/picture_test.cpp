@@ -1,4 +1,4 @@
-// What is drawn where: every kind of chart, light and dark, as pixels and as SVG, without a display.
+// Pictures of every kind of chart, light and dark, as pixels and as SVG, without a display.
 #include <QFile>
 #include <QRegularExpression>
 #include <QTemporaryDir>

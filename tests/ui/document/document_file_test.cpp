@@ -284,7 +284,7 @@ TEST_F(DocumentFileTest, AutosaveWritesByItself) {
     EXPECT_TRUE(QTest::qWaitFor([&] { return QFile::exists(autosave.recovery_file()); }));
 }
 
-/// Not a test of its own: what the crashing program does.
+/// No test of its own: the program that crashes in the next one.
 TEST_F(DocumentFileTest, DISABLED_Crash) {
     Autosave autosave(document, RecoveryStore(qEnvironmentVariable("COVARIA_TEST_RECOVERY")));
     set_title("unsaved work");

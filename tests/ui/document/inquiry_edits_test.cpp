@@ -1,4 +1,4 @@
-// What a new study or design is offered first.
+// The first offer for a new study or design.
 #include "ui/document/inquiry_edits.h"
 
 #include <gtest/gtest.h>

@@ -259,7 +259,7 @@ TEST_F(SetupFormTest, AColumnIsAsWideAsWhatIsTypedIntoIt) {
     type(QStringLiteral("4"));
     EXPECT_EQ(view->columnWidth(1), before);
     type(QStringLiteral("123456.789012345"));
-    view->setColumnWidth(1, 300);  // as the user wants it
+    view->setColumnWidth(1, 300);  // the user's own width
     type(QStringLiteral("4"));
     EXPECT_EQ(view->columnWidth(1), 300);
 }

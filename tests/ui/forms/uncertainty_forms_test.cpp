@@ -30,7 +30,7 @@ void type(QWidget& parent, const char* name, const QString& text) {
     QTest::keyClick(edit, Qt::Key_Return);
 }
 
-/// As a user does: the popup is not needed to activate a row by the keyboard.
+/// Chooses an entry as a user does: the popup is not needed to activate a row by the keyboard.
 void choose(QWidget& parent, const char* name, const QString& data) {
     auto* box = parent.findChild<QComboBox*>(name);
     ASSERT_NE(box, nullptr) << name;
@@ -60,7 +60,7 @@ TEST(DistributionEdit, EditsParametersAndSaysU) {
     EXPECT_FALSE(edit.summary().startsWith("u =")) << "low above high: " << edit.summary().toStdString();
 }
 
-/// As the budget's column says it.
+/// The words are those of the budget's column.
 TEST(DistributionEdit, SaysWhatIsDrawnWhereThatIsAnotherDistribution) {
     ComponentEdit normal{.name = "mean", .distribution = "normal", .parameters = {0.0, 2.0}};
     normal.unit = Unit::of("um");

@@ -1,4 +1,4 @@
-// What a job throws is told on the owner's thread; the queue goes on.
+// Exceptions of a job are told on the owner's thread; the queue goes on.
 #include "ui/jobs/job_queue.h"
 
 #include <gtest/gtest.h>

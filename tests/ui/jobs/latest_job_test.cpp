@@ -1,4 +1,4 @@
-// Of work that follows itself only the newest is delivered, or every step where that is asked for.
+// A LatestJob delivers only the newest of works that follow each other, or every step where that is wanted.
 #include "ui/jobs/latest_job.h"
 
 #include <gtest/gtest.h>

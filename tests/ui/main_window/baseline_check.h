@@ -8,7 +8,7 @@
 
 namespace covaria::ui {
 
-/// At quarter size, where the smoothing of letters by different machines does not matter, the screenshot
+/// Compares at quarter size, where letters smoothed differently by machines do not matter: the screenshot
 /// equals `folder`/NAME.png up to small differences. Otherwise the small picture is left in
 /// COVARIA_BINARY_DIR/failed-pictures. COVARIA_UPDATE_BASELINES=1 writes the file.
 testing::AssertionResult matches_screenshot(const QImage& image, const QString& folder, const QString& name);

@@ -29,7 +29,7 @@ using Section = BudgetSheetModel::Section;
 
 class BudgetSession : public Session {
 protected:
-    /// What a user does, counted: a menu entry, a text typed and left, a cell typed, a move to another row.
+    /// Counts an action of a user: a menu entry, a text typed and left, a cell typed, a move to another row.
     void count() { ++actions_; }
 
     void new_equation(const QString& text) {
@@ -47,7 +47,7 @@ protected:
         ASSERT_TRUE(wait_for([&] { return sheet() != nullptr && sheet()->isVisible(); }));
     }
     BudgetSheetView* sheet() const { return window_->budget().view(); }
-    /// At the current cell, which may be one with a symbol or a unit that stays: types, goes on by Tab.
+    /// Types into a cell in place of its text, and goes on by Tab.
     void type_cell(int row, Section section, const QString& text) {
         sheet()->setFocus();
         const QModelIndex cell = window_->budget().model()->index(row, section);
@@ -208,7 +208,7 @@ TEST_F(BudgetSession, TabPassesOverAUnitThatCameWithTheEstimate) {
     EXPECT_EQ(cell(0, Section::unit), QStringLiteral("mm"));
 }
 
-/// As in any spreadsheet: who types the unit into its own cell finds it behind the estimate.
+/// A unit typed into its own cell is found behind the estimate, as in any spreadsheet.
 TEST_F(BudgetSession, TabStopsAtAUnitThatStoodBefore) {
     new_equation(QStringLiteral("y = a"));
     type_cell(0, Section::estimate, QStringLiteral("50 mm"));
@@ -333,7 +333,7 @@ TEST_F(BudgetSession, AllColumnsOfTheGaugeBlockAreInViewAt1440) {
         EXPECT_FALSE(sheet()->isColumnHidden(section)) << section;
     const auto hidden = [&] { return sheet()->horizontalHeader()->length() - sheet()->viewport()->width(); };
     EXPECT_TRUE(wait_for([&] { return hidden() <= 0; }, 3000)) << hidden() << " px are out of view";
-    // What is added up has c = 1, whatever its prefix.
+    // Terms of a sum have c = 1, whatever their prefix.
     EXPECT_EQ(cell(row_of(QStringLiteral("d")), Section::c), QStringLiteral("1.00"));
     keep_picture(QStringLiteral("budget-block-1440.png"));
 }
@@ -357,7 +357,7 @@ TEST_F(BudgetSession, AnEquationWithoutItsEndIsIncomplete) {
     EXPECT_TRUE(is_called(QStringLiteral("y = a * b_2"), RunState::incomplete)) << "names get their rows";
 }
 
-// What was refused and undone leaves no wide column; the window says what was undone.
+// A refused text that is undone leaves no wide column; the window says what was undone.
 TEST_F(BudgetSession, ARefusedTextThatIsUndoneGivesItsRoomBack) {
     new_equation(QStringLiteral("y = a*b"));
     type_cell(row_of(QStringLiteral("a")), Section::estimate, QStringLiteral("10 V"));
@@ -376,7 +376,7 @@ TEST_F(BudgetSession, ARefusedTextThatIsUndoneGivesItsRoomBack) {
         << window_->statusBar()->currentMessage().toStdString();
 }
 
-// From a row of the budget to what is known about its quantity: by a double click on what is computed, and by
+// A row of the budget leads to the facts about its quantity: by a double click on a computed cell, and by
 // the keyboard.
 TEST_F(BudgetSession, AQuantityHasAPageOfItsOwn) {
     const QString file = folder_.filePath(QStringLiteral("h2.covaria"));

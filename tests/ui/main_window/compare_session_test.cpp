@@ -118,7 +118,7 @@ TEST_F(CompareSession, WhatWasKeptStandsBesideWhatIsEdited) {
     EXPECT_EQ(window_->document().project().analyses, edited.analyses);
 }
 
-/// What goes to print: the document as preview and export build it.
+/// The report to be printed, as preview and export build it.
 std::string report_now(MainWindow& window) {
     const ReportMaker::Source source =
         document_source(DocumentKind::report, window.document().project(), window.runner());

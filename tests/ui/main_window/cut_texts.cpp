@@ -95,7 +95,7 @@ private:
     void read_tabs(const QTabBar& bar) {
         const auto* own = qobject_cast<const TabBar*>(&bar);
         for (int i = 0; i < bar.count(); ++i) {
-            // In the menu at the end of the bar its name is whole.
+            // A tab without room has its whole name in the menu at the end of the bar.
             if (!bar.isTabVisible(i) || (own && own->is_in_menu(i))) continue;
             say("tab", bar.tabText(i), bar.tabRect(i).right() - bar.width() + 1);
         }

@@ -51,7 +51,7 @@ protected:
         EXPECT_TRUE(process.waitForFinished(60'000)) << program.toStdString();
         return process.readAllStandardOutput();
     }
-    /// What is read in it, and every pixel of its pages.
+    /// Compares the texts of two PDFs, and every pixel of their pages.
     void expect_same_pdf(const QString& ours, const QString& theirs) {
         std::array<QByteArray, 2> texts, pictures;
         for (const std::size_t i : {0, 1}) {

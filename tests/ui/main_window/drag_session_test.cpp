@@ -21,7 +21,7 @@ protected:
         view().set_view(StandardView::top);
         scene_picture();
     }
-    /// Where an item of the scene is in the view, after selecting it.
+    /// Selects an item of the scene; returns its place in the view.
     QPoint pick(const char* id) {
         const SceneItem* item = find_item(*view().scene(), id);
         if (!item) {
@@ -56,7 +56,7 @@ protected:
     }
 };
 
-/// By double click, or the keyboard alone.
+/// A double click leads to the coordinates, or the keyboard alone.
 TEST_F(DragSession, CoordinatesAreTyped) {
     open_network();
     QTest::mouseDClick(&view(), Qt::LeftButton, {}, pick("point:B"));

@@ -133,7 +133,7 @@ TEST_F(EditingSession, WhatIsBeingTypedIntoACellSurvivesChecksAndRuns) {
     type_keys(QStringLiteral("12"));
     QWidget* editor = QApplication::focusWidget();
     window_->document().check_now();
-    window_->runner().run_all();  // by itself: the user's own "Run" takes over what is typed
+    window_->runner().run_all();  // the runner by itself: the user's "Run" takes over typed texts
     wait_until_idle();
     ASSERT_EQ(QApplication::focusWidget(), editor);
     type_keys(QStringLiteral("5"));

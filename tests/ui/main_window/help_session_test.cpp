@@ -59,7 +59,7 @@ protected:
     int asked_ = 0;
 };
 
-/// In the picture, not only in the document: what stood below the tables of a page was not drawn.
+/// The place is in the picture, not only in the document: words below the tables of a page were not drawn.
 TEST_F(HelpSession, ThePlaceIsSeen) {
     trigger(QStringLiteral("New Project"));
     trigger(QStringLiteral("Measurement equation"));
@@ -98,7 +98,7 @@ TEST_F(HelpSession, EveryEditorOfTheExamplesAnswersWithItsOwnField) {
     EXPECT_GT(asked_, 500);
 }
 
-/// Also when the pane opens with it, and its text is laid out at its width only then.
+/// The place is in view even if the pane opens with it, whose text gets its width only then.
 TEST_F(HelpSession, ThePlaceIsInView) {
     open(project_copy());
     select(SetupOwner::analysis, "printed");

@@ -57,7 +57,7 @@ TEST_F(ImportSession, WhatIsNoRobotIsSaidAndLeftOut) {
 
 class FileImportSession : public Session {
 protected:
-    /// As when the file is dropped on the window.
+    /// Sends the events of a file that is dropped on the window.
     void let_go(const QString& file) {
         QMimeData mime;
         mime.setUrls({QUrl::fromLocalFile(file)});

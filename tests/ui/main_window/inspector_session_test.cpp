@@ -46,7 +46,7 @@ TEST_F(InspectorSession, AGroupFoldsAndAnswersWhileItIsFolded) {
                                                                              : QStringLiteral("1"));
     QTest::mouseClick(options, Qt::LeftButton);
     EXPECT_TRUE(wait_for([&] { return trials->isVisible(); }));
-    // As the user left it, also of what is selected next.
+    // A group stays as the user left it, also when other entries are selected.
     const SetupAddress entry = window_->selection().entry();
     select(SetupOwner::asset, window_->document().project().assets.front().id);
     window_->selection().select_entry(entry);

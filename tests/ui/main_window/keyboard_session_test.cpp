@@ -158,7 +158,7 @@ TEST_F(KeyboardSession, ATabThatIsClickedHasTheKeyboard) {
     EXPECT_EQ(tabs.currentIndex(), 2);
 }
 
-/// With its heads, and without the row for new ones; what is pasted back is the same budget.
+/// The copy has the heads, and no row for new ones; pasted back it is the same budget.
 TEST_F(KeyboardSession, AWholeBudgetIsCopiedWithItsHeads) {
     open_h1();
     auto* budget = window_->scene().findChild<BudgetSheetView*>();
@@ -178,7 +178,7 @@ TEST_F(KeyboardSession, AWholeBudgetIsCopiedWithItsHeads) {
     EXPECT_EQ(budget->model()->index(0, 0).data(Qt::EditRole).toString(), lines[1].section('\t', 0, 0));
 }
 
-/// Nothing but keys after the analysis has been added.
+/// Only keys are used after the analysis has been added.
 TEST_F(KeyboardSession, ABudgetAndItsCorrelationAreTyped) {
     add_equation();
     auto* equations = window_->properties().findChild<QPlainTextEdit*>(QStringLiteral("equations"));

@@ -110,7 +110,7 @@ protected:
         }
         return word.match(text.remove(markup)).hasMatch() ? text.trimmed() : QString();
     }
-    /// What people, files and models named: the project, its results, examples.
+    /// Remembers names that people, files and models gave: those of the project, its results, examples.
     void learn(const QString& text) {
         for (const QString& one : text.split(QRegularExpression(QStringLiteral("[\"\n]")))) data_.insert(one);
     }
@@ -195,7 +195,7 @@ protected:
             texts.insert(texts.end(), categories.begin(), categories.end());
         for (const Text& text : texts) look_at(place, to_qt(to_unicode(text)));
     }
-    /// What is filled: cells of tables and lists, and a chart that says why it is empty.
+    /// Looks at contents: cells of tables and lists, and a chart that says why it is empty.
     void look_at_contents(QWidget& top) {
         for (auto* view : top.findChildren<QAbstractItemView*>()) {
             const QString place = QString::fromLatin1(view->metaObject()->className()) + QLatin1Char(' ') +

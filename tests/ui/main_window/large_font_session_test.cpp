@@ -21,7 +21,7 @@ protected:
         wanted.font.points = points;
         window_->preferences().set(wanted);
     }
-    /// Of the forms of what is selected, those that scroll sideways.
+    /// The forms of the selected entry that scroll sideways.
     QStringList too_wide() {
         QStringList found;
         FoldGroups& groups = window_->properties().groups();
@@ -42,7 +42,7 @@ protected:
         }
         return found;
     }
-    /// What makes it so.
+    /// The widgets that make a form wide.
     static QString widest(const QWidget& form, int room) {
         QString words;
         for (const QWidget* child : form.findChildren<QWidget*>())

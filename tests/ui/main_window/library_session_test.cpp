@@ -77,7 +77,7 @@ TEST_F(LibrarySession, ADarkWindowDimsThePicturesOfItsCards) {
     EXPECT_LT(card.pixelColor(0, 0).alpha(), 128) << "its corners are round";
 }
 
-// In a window of another language: the shown words are found, whatever their case, and the English ones.
+// A window of another language finds the words that it shows, whatever their case, and the English ones.
 TEST_F(LibrarySession, WhatIsShownInAnotherLanguageIsFoundAndTheEnglishWordsAreToo) {
     class German : public QTranslator {
     public:

@@ -1,4 +1,4 @@
-// What the window writes does not depend on the locale that the desktop gives to the functions of C.
+// The window writes alike, whatever locale the desktop gives to the functions of C.
 #include <QDir>
 #include <QDirIterator>
 #include <clocale>
@@ -14,7 +14,7 @@
 namespace covaria::ui::locale_session_test {
 namespace {
 
-/// Of the process, while it lives: as Qt sets it where nobody takes care.
+/// The locale of the process, while this lives: as Qt sets it where nobody takes care.
 class ProcessLocale {
 public:
     explicit ProcessLocale(const std::string& name) : before_(std::setlocale(LC_ALL, nullptr)) {

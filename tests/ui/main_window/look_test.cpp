@@ -1,4 +1,4 @@
-// How the window looks beyond the tabs of results: properties, start page, toolbar; every picture is left in
+// Look of the window beyond the tabs of results: properties, start page, toolbar; every picture is left in
 // the build folder for people.
 #include <QAbstractItemView>
 #include <QComboBox>

@@ -1,4 +1,4 @@
-// What an edit in the window makes and evaluates anew: counted.
+// The entries that an edit in the window makes and evaluates anew, counted.
 #include "tests/core/made.h"
 #include "tests/ui/main_window/session_fixture.h"
 
@@ -21,7 +21,7 @@ protected:
             ASSERT_TRUE(status_of(id).is_current()) << id;
         }
     }
-    /// What making anew has to do.
+    /// Applies an edit; returns how much was made anew.
     MakingCounts edit(const ProjectEdit& change) {
         QSignalSpy made_anew(&window_->document().maker(), &ProjectMaker::made_changed);
         EXPECT_TRUE(window_->document().apply(QStringLiteral("Edit"), change));

@@ -1,4 +1,4 @@
-// In every language, no two entries of a menu have one letter for Alt.
+// Entries of a menu have different letters for Alt, in every language.
 #include <QMenu>
 #include <QMenuBar>
 #include <QTranslator>
@@ -22,7 +22,7 @@ protected:
     ~Mnemonics() override { QCoreApplication::removeTranslator(&texts_); }
 
     static void look_at(const QString& place, const QList<QAction*>& actions) {
-        QMap<QString, QString> entries;  // by the letter
+        QMap<QString, QString> entries;  // by letter
         for (const QAction* action : actions) {
             if (action->menu())
                 look_at(place + QStringLiteral(" > ") + action->text(), action->menu()->actions());

@@ -1,4 +1,4 @@
-// From an empty project to a report: a new artefact, used in a new analysis.
+// The way from an empty project to a report: a new artefact, used in a new analysis.
 #include <QProcess>
 #include <QSignalSpy>
 

@@ -1,4 +1,4 @@
-// What leaves the window: the report on paper is the one of the preview and of the command line, page by
+// Documents leave the window: the report on paper is that of the preview and of the command line, page by
 // page, and only results leave it, no previews.
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -78,7 +78,7 @@ protected:
             leave(b[i], "other", i);
         }
     }
-    /// In the build folder, for people.
+    /// Leaves the picture in the build folder, for people.
     static void leave(const QImage& image, const char* what, std::size_t page) {
         const QDir folder(QStringLiteral(COVARIA_BINARY_DIR "/screenshots"));
         folder.mkpath(QStringLiteral("."));
@@ -172,7 +172,7 @@ TEST_F(ReportSession, APreviewIsNoResult) {
     EXPECT_FALSE(html.contains(QStringLiteral("12\u202f000 trials, 30"))) << "no preview in it";
 }
 
-/// What a results.json lists as failed.
+/// The failures that a results.json lists.
 QJsonArray failed_in(const QString& folder) {
     QFile file(folder + QStringLiteral("/results.json"));
     EXPECT_TRUE(file.open(QIODevice::ReadOnly)) << file.fileName().toStdString();

@@ -54,7 +54,7 @@ TEST_F(ResultsSession, ABarAndARowOfTheBudgetLeadToTheirSource) {
     EXPECT_EQ(window_->selection().entry().owner, SetupOwner::asset);
 }
 
-/// Where its chart can spare the room, the budget does not scroll sideways; a handle that was moved stays.
+/// The budget does not scroll sideways where its chart can spare the room; a handle that was moved stays.
 TEST_F(ResultsSession, TheBudgetTakesTheRoomThatItsChartCanSpare) {
     window_->resize(2300, 1000);
     open(project_copy(QStringLiteral("ballbar-design")));
@@ -79,7 +79,7 @@ TEST_F(ResultsSession, TheBudgetTakesTheRoomThatItsChartCanSpare) {
     EXPECT_EQ(budget.width(), width);
 }
 
-/// What is stated in the set-up, each in its own place.
+/// Every component that set-ups state leads to its own place.
 TEST_F(ResultsSession, EveryComponentHasAPlaceToGoTo) {
     int checked = 0;
     for (const char* name :
@@ -102,7 +102,7 @@ TEST_F(ResultsSession, EveryComponentHasAPlaceToGoTo) {
     EXPECT_GT(checked, 300);
 }
 
-/// Of a trial the inputs are those that the run drew.
+/// The inputs shown for a trial are those that the run drew.
 TEST_F(ResultsSession, ADotOfTheCloudTellsItsInputs) {
     open(project_copy());
     select(SetupOwner::analysis, "printed");

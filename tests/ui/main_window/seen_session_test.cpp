@@ -28,7 +28,7 @@ protected:
         ADD_FAILURE() << head;
         return {};
     }
-    /// Of the length of the barrel, which hangs on the distances.
+    /// u of the length of the barrel, which hangs on the distances.
     double u_of_length() const {
         const AnalysisStatus now = status();
         for (std::size_t i = 0; now.result && i < now.result->outputs.size(); ++i)
@@ -48,7 +48,7 @@ TEST_F(SeenSession, FiguresAreHeldAgainstTheResiduals) {
     EXPECT_TRUE(tab().summary().text().contains(QStringLiteral("passes")))
         << tab().summary().text().toStdString();
     for (ChartView* chart : tab().findChildren<ChartView*>()) EXPECT_FALSE(chart->plot().series.empty());
-    // At a level at which chance contradicts less often, less is contradicted.
+    // A level at which chance contradicts less often contradicts less.
     auto* level = tab().findChild<QComboBox*>(QStringLiteral("seen_level"));
     ASSERT_NE(level, nullptr);
     const double low = tab().seen()->figures[2].low;
@@ -63,7 +63,7 @@ TEST_F(SeenSession, OneClickTakesThemOverAndOneUndoTakesThemBack) {
     ASSERT_TRUE(wait_for([&] { return status().is_current() && u_of_length() != stated; }));
     EXPECT_LT(u_of_length(), stated);
     EXPECT_EQ(tab().take_over_button().text(), QStringLiteral("Back to Stated"));
-    // What is stated is still held against what is seen.
+    // The stated figures are still compared with the seen ones.
     ASSERT_TRUE(wait_for([this] { return tab().seen() != nullptr; }));
     EXPECT_EQ(cell(2, "verdict"), QStringLiteral("seen is smaller"));
     window_->document().undo();

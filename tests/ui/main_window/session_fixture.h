@@ -1,4 +1,4 @@
-// What a user does with the window: menus, keys, clicks, and looking at what is there.
+// The actions of a user on the window: menus, keys, clicks, and looking at what is there.
 #pragma once
 
 #include <QAction>
@@ -43,7 +43,7 @@ protected:
     /// Goes through a list by the arrow keys to the entry with this title.
     void choose(const char* name, const QString& title);
     static void choose_in(QComboBox& box, const QString& title);
-    /// Of the properties; opens it by a click on its head where it is folded.
+    /// Shows a group of the properties; opens it by a click on its head where it is folded.
     void show_group(const QString& title);
     /// Presses a button of the form of a table.
     void press_button(const char* table, const QString& words);
@@ -53,7 +53,7 @@ protected:
     void paste(const char* table, int row, int column, const QString& text);
 
     void select(SetupOwner owner, const std::string& id) { window_->selection().select_entry({owner, id}); }
-    /// By a click on its name in the tree.
+    /// Selects an entry by a click on its name in the tree.
     void click_in_tree(const QString& name);
     const AnalysisStatus& status() const { return window_->runner().status(window_->selection().analysis()); }
     double expanded_uncertainty(std::size_t output) const {
@@ -69,7 +69,7 @@ protected:
     QStringList names_in_tree() const;
 };
 
-/// To whatever has the focus, as a keyboard does.
+/// Types to whatever has the focus, as a keyboard does.
 void type_keys(const QString& text);
 void type_key(Qt::Key key, Qt::KeyboardModifiers modifiers = {});
 /// Chooses an entry of the context menu that `widget` opens at `at`.

@@ -116,7 +116,7 @@ TEST_F(UnreadSession, AStudyHoldsItsOwnRun) {
     EXPECT_TRUE(study.message.contains(QStringLiteral("kg")));
 }
 
-/// Nothing of it can be saved or lost.
+/// A text in an entry that is gone can neither be saved nor lost.
 TEST_F(UnreadSession, WhatStoodInAnEntryThatIsGoneIsNotAskedFor) {
     open(project_copy(QStringLiteral("lsm-network")));
     select(SetupOwner::analysis, "recommended");

@@ -22,7 +22,7 @@ protected:
         QCoreApplication::processEvents();
         return camera;
     }
-    /// Where nothing lies before the body.
+    /// A place in the view where nothing lies before the body.
     QPoint place_of_body(const std::string& id) {
         const Camera from = camera();
         const PictureSize size{view().image().width(), view().image().height()};
@@ -45,7 +45,7 @@ protected:
             }
         ADD_FAILURE() << "the face is not seen";
     }
-    /// Of the menu of views.
+    /// Chooses an entry of the menu of views.
     void choose_view(const QString& words) {
         for (QAction* each : window_->views().menu().actions())
             if (plain_words(each->text()) == words) return each->trigger();

@@ -1,4 +1,4 @@
-// In every language nothing that the window says is cut.
+// No text of the window is cut, in any language.
 #include <QDir>
 #include <QMenuBar>
 #include <QTabWidget>
@@ -27,7 +27,7 @@ protected:
     }
     ~WholeTexts() override { QCoreApplication::removeTranslator(&catalogue_); }
 
-    /// For people, in the build folder.
+    /// Leaves a picture in the build folder, for people.
     void shoot(const QString& what) {
         settle();
         const QDir folder(QStringLiteral(COVARIA_BINARY_DIR "/screenshots"));

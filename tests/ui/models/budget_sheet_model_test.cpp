@@ -115,7 +115,7 @@ TEST_F(BudgetSheetModelTest, AListIsTheObservationsOfItsRow) {
     EXPECT_EQ(text(1, Section::u), QStringLiteral("2.9")) << "5/sqrt(3)";
     EXPECT_EQ(text(1, Section::type), QStringLiteral("A"));
     EXPECT_EQ(text(1, Section::nu), QStringLiteral("2"));
-    // Those of another quantity stay as they are; others in its place.
+    // Observations of another quantity stay as they are; new ones take the place of the old.
     type(0, Section::stated, "1; 2; 3");
     type(1, Section::stated, "210; 220; 230; 240");
     EXPECT_EQ(text(1, Section::stated), QString::fromUtf8("observations 210; 220 … (4)"));
@@ -247,8 +247,8 @@ TEST_F(BudgetSheetModelTest, AListGivesItsRowTheUnit) {
     EXPECT_FALSE(problem(1, Section::stated).isEmpty());
 }
 
-/// So that what a target needs can be typed as it is said.
-/// Those of the certificate before stayed without a word, and of a rectangular distribution, too.
+/// Another statement drops the degrees of freedom of the one before, also where its distribution is
+/// rectangular; a mended figure keeps them.
 TEST_F(BudgetSheetModelTest, AnotherStatementDoesNotKeepTheDegreesOfFreedom) {
     type(0, Section::symbol, "l_S");
     type(0, Section::estimate, "1 mm");
@@ -289,7 +289,7 @@ TEST_F(BudgetSheetModelTest, UThatIsTypedKeepsTheFormOfTheStatement) {
     EXPECT_EQ(stored(0, "statement"), SetupCell(std::string("rectangular"))) << "what follows is not cleared";
 }
 
-/// Until it is computed anew.
+/// The figures stay with their row until they are computed anew.
 TEST_F(BudgetSheetModelTest, WhatWasComputedGoesWithItsRow) {
     for (const auto& [row, symbol, u] : {std::tuple(0, "l_S", "25 nm"), {1, "d", "10 nm"}}) {
         type(row, Section::symbol, symbol);
@@ -310,7 +310,7 @@ TEST_F(BudgetSheetModelTest, WhatWasComputedGoesWithItsRow) {
     EXPECT_EQ(text(1, Section::u), of_second);
 }
 
-/// What a quantity is does not change with how its uncertainty is known.
+/// The estimate of a quantity does not change with how its uncertainty is known.
 TEST_F(BudgetSheetModelTest, ObservationsThatAreStatedOtherwiseLeaveTheirMean) {
     type(0, Section::symbol, "d");
     type(0, Section::unit, "nm");
@@ -414,7 +414,7 @@ TEST_F(BudgetSheetModelTest, AFigureInPercentSaysOfWhatItIs) {
     EXPECT_FALSE(help(1).contains(QStringLiteral("absolute, not"))) << "nobody takes it for a part";
 }
 
-/// Of all rows of the quantity; what says which quantity it is stays as it was.
+/// All rows of the quantity are dimmed; the columns that say which quantity it is stay as they were.
 TEST_F(BudgetSheetModelTest, WhatALinkReplacesIsShownAsNotUsed) {
     type(0, Section::symbol, "l_S");
     type(0, Section::estimate, "50 mm");

@@ -91,7 +91,7 @@ std::size_t expect_budgets_alike(const MadeProject& made, const EvaluatedAnalysi
     return cells;
 }
 
-constexpr std::size_t most_rows = 60;  // of a table, and inputs of an analysis of which budgets are compared
+constexpr std::size_t most_rows = 60;  // limits outputs, inputs and places that are compared
 
 std::size_t expect_alike(const MadeProject& made, const EvaluatedAnalysis& evaluated) {
     const UncertaintyResult& result = *evaluated.result;

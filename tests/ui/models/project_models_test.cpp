@@ -57,7 +57,7 @@ TEST_F(ProjectModelsTest, TheTreeFollowsAddingMovingAndRemoving) {
     EXPECT_TRUE(tree.address(analyses).id.empty());
 }
 
-// As a view does that is left: what was being typed in it becomes an edit.
+// A view that is left turns typed text into an edit: here while the tree follows another one.
 TEST_F(ProjectModelsTest, TheTreeFollowsAChangeThatComesWhileItFollowsOne) {
     ProjectTreeModel tree(document, runner);
     QAbstractItemModelTester tester(&tree, fatal);
@@ -193,7 +193,7 @@ TEST_F(ProjectModelsTest, EntriesThatShareANameAreCounted) {
     EXPECT_EQ(words("/analyses/2"), "Length (2)");
 }
 
-// What is wrong with a whole row is one cell, where the row begins; what is wrong with a cell is that cell.
+// A problem of a whole row marks one cell, where the row begins; a problem of a cell marks that cell.
 TEST_F(ProjectModelsTest, OneProblemIsOneCell) {
     AnalysisEntry budget{"budget", "measurement-equation", "Budget", {}, {}, {}, {}, {}, {}};
     Project project;

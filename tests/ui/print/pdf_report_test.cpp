@@ -38,7 +38,7 @@ protected:
         return made;
     }
 
-    /// What a tool of poppler-utils prints; a missing tool is a failure.
+    /// Output of a tool of poppler-utils; a missing tool is a failure.
     std::string output_of(const QString& tool, QStringList arguments, const ReportDocument& document,
                           const PdfOptions& chosen) {
         const std::string file = folder_.filePath("report.pdf").toStdString();
@@ -337,7 +337,7 @@ TEST_F(PdfReport, LinesOfTheContentsLeadToTheirHeadings) {
             EXPECT_EQ(std::stoul(words), page) << "the number beside the line";
             ++numbers;
         } else {
-            const std::string on_page = escape_html(without_spaces(pages[page - 1]));  // as XML has words
+            const std::string on_page = escape_html(without_spaces(pages[page - 1]));  // in the words of XML
             EXPECT_TRUE(contains(on_page, without_spaces(words))) << words << " on page " << page;
         }
     }

@@ -47,11 +47,11 @@ private:
 
 /// The number that a project is about is the seed of all its analyses; see `project`.
 struct Script {
-    Gate block;  ///< of full runs
+    Gate block;  ///< holds full runs back
     std::atomic<int> runs = 0;
     std::atomic<int> first_orders = 0;
     std::atomic<int> runs_of_x = 0;
-    std::atomic<double> gain = 1.0;  ///< of runs with variance reduction
+    std::atomic<double> gain = 1.0;  ///< gain of runs with variance reduction
 
     RunBackend backend() {
         return {[this](const PreparedAnalysis&) {

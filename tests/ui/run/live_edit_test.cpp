@@ -50,7 +50,7 @@ TEST(LiveEdit, EveryExampleRunsAndFollowsAnEdit) {
         EXPECT_TRUE(runner.status(id).is_current());
         EXPECT_EQ(seed_1->outputs[0].first_order.standard_uncertainty,
                   seed_2->outputs[0].first_order.standard_uncertainty);
-        // Not u, which is infinite for Student t inputs with two degrees of freedom.
+        // U is compared, since u is infinite for Student t inputs with two degrees of freedom.
         EXPECT_NE(seed_1->outputs[0].expanded_uncertainty, seed_2->outputs[0].expanded_uncertainty);
     }
 }

@@ -1,4 +1,4 @@
-// What the style draws by itself.
+// Parts that the style draws by itself.
 #include "ui/theme/style.h"
 
 #include <gtest/gtest.h>

@@ -12,7 +12,7 @@
 namespace covaria::ui::tabs_test {
 namespace {
 
-/// Of the properties of an analysis, in German.
+/// Titles of the properties of an analysis, in German.
 const QStringList names{QStringLiteral("Aufbau"),      QStringLiteral("Eingaben"),
                         QStringLiteral("Optionen"),    QStringLiteral("Studien"),
                         QString::fromUtf8("Entwürfe"), QStringLiteral("Anforderungen"),

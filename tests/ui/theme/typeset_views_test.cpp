@@ -218,7 +218,7 @@ TEST_F(Typeset, LinesBelowRowsAreSeenInBothThemes) {
     apply_theme(*qApp, Theme::light());
 }
 
-// Where l, I and 1 differ: in the serif of formulae.
+// Symbols are in the serif of formulae, where l, I and 1 differ.
 TEST_F(Typeset, SymbolsAreSetInTheFontOfFormulae) {
     const QFont text = QApplication::font(), symbol = symbol_font(text);
     EXPECT_TRUE(symbol.italic());

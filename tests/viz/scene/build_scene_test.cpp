@@ -59,7 +59,7 @@ TEST(BuildScene, TakesTheGroupAndWhatBelongsToAll) {
     EXPECT_EQ(build_scene(setup.source(), {}).group, "pose 3") << "the first group of the result";
 }
 
-// As in the tree: what does not meet its requirement is marked, and what does has no mark.
+// Items that do not meet their requirement are marked, as in the tree, and others are not.
 TEST(BuildScene, WhatIsNotMetIsMarked) {
     const auto setup = test::stewart_setup(0);
     const auto marked = [&](std::size_t output, bool met) {
@@ -190,8 +190,8 @@ TEST(BuildScene, HeldComponentsContributeNothing) {
 
 class AutomaticMagnification : public testing::TestWithParam<double> {};
 
-// As it is seen in a picture of the whole, twice as wide as high, the largest of the outputs covers about a
-// twentieth.
+// The largest ellipsoid of the outputs covers about a twentieth of a picture of the whole, twice as wide as
+// high.
 TEST_P(AutomaticMagnification, IsShortToWriteAndShowsTheLargestEllipsoidOnATwentieth) {
     const auto setup = test::stewart_setup(0, GetParam());
     const Scene scene = build_scene(setup.source(), {});
@@ -245,7 +245,7 @@ TEST(BuildScene, CaptionSaysMagnificationAndProbability) {
     EXPECT_EQ(build_scene(setup.source(), options).caption, "");
 }
 
-// What is drawn smaller than it is had all zeros of its factor: "× 0.0000002".
+// A reduction is written as a scale; its factor had all zeros: "× 0.0000002".
 TEST(BuildScene, AReductionIsAScale) {
     const auto setup = test::stewart_setup(0);
     SceneOptions options;

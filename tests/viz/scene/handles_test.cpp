@@ -1,4 +1,4 @@
-// What can be grasped, and where a drag moves or turns it.
+// The handles of items, and where a drag moves or turns them.
 #include "viz/scene/handles.h"
 
 #include <gtest/gtest.h>
@@ -89,7 +89,7 @@ TEST(Handles, AnArrowMovesAlongItsAxisOnly) {
     const Eigen::Vector3d there =
         moved_along(*arrow, camera, size, project(camera, size, p), project(camera, size, p + step));
     EXPECT_TRUE(there.isApprox(p + step, 1e-9)) << there.transpose();
-    // What the pointer does across the axis does not count.
+    // A way of the pointer across the axis does not count.
     const Pixel off = project(camera, size, p + step);
     const Eigen::Vector3d beside =
         moved_along(*arrow, camera, size, project(camera, size, p), {off.x + 30, off.y});

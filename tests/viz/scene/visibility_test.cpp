@@ -1,4 +1,4 @@
-// What is hidden and what is shown alone, and views saved with it.
+// Items hidden and shown alone, and views saved with them.
 #include "viz/scene/visibility.h"
 
 #include <gtest/gtest.h>

@@ -27,7 +27,7 @@ int dark_in(const Image& image, int x, int y, int width, int height);
 /// Equal to tests/viz/baselines/NAME.png up to the small differences between drivers; otherwise leaves the
 /// picture at COVARIA_BINARY_DIR/failed-pictures/NAME.png and says so.
 testing::AssertionResult matches_baseline(const Image& image, const std::string& name);
-/// The same with another file and other limits. With COVARIA_UPDATE_BASELINES=1 in the environment the file
+/// Compares with another file and other limits. With COVARIA_UPDATE_BASELINES=1 in the environment the file
 /// is written instead; without it a missing file is a failure that says so.
 testing::AssertionResult matches_baseline(const Image& image, const std::filesystem::path& file,
                                           const Difference& largest);

@@ -58,7 +58,7 @@ std::string base64_decoded(const std::string& text) {
 struct GltfScene {
     std::vector<Vector> points;
     std::size_t coloured = 0;
-    std::map<std::string, bool> blended;  ///< by layer: whether some of it is
+    std::map<std::string, bool> blended;  ///< whether some of a layer is
 
     explicit GltfScene(const std::string& text) {
         const json file = json::parse(text);

@@ -1,4 +1,4 @@
-// Which letters a picture can write.
+// The letters that a picture can write.
 #include "viz/vtk/scene_fonts.h"
 
 #include <gtest/gtest.h>

@@ -113,7 +113,7 @@ void count(SceneRenderer& renderer, const View& view, detail::TextMasks& masks, 
     look.layers.shown[static_cast<std::size_t>(Layer::labels)] = false;  // they come first
     const LayerVisibility before = renderer.layers();
     renderer.set_layers(look.layers);
-    renderer.set_view(view.view);                 // with room for axes, which are shown
+    renderer.set_view(view.view);                 // leaves room for axes, which are shown
     const bool is_small = view.size.width < 600;  // the legend of all layers takes a third of it
     look.camera = renderer.camera();
     detail::Overlay bare(scene, look, image, masks);
@@ -156,7 +156,7 @@ std::vector<Scene> scenes_of(const fs::path& file) {
             EXPECT_TRUE(scene) << file << " " << entry.id;
             if (!scene) continue;
             scenes.push_back(*std::move(scene));
-            // And with the colour bar of a study, and the remark of a preview.
+            // A copy has the colour bar of a study, and the remark of a preview.
             Scene map = scenes.back();
             map.map = SceneMap{.title = "u(3D), platform / mm", .positions = {Eigen::Vector3d::Zero()}};
             map.map->values = {0.5};

@@ -97,7 +97,7 @@ struct Textbook {
     double value, u;
 };
 
-/// At x, by Householder's QR of powers about the middle, in extended precision.
+/// Prediction and its u at x, by Householder's QR of powers about the middle, in extended precision.
 Textbook by_qr(const Points& p, int degree, bool through_zero, double x) {
     using Matrix = Eigen::Matrix<long double, -1, -1>;
     using Vector = Eigen::Matrix<long double, -1, 1>;
@@ -184,7 +184,7 @@ TEST(CalibrationCurve, InverseUseOfALine) {
     EXPECT_NEAR(stated.effective_degrees_of_freedom, 3.0 * u4 / std::pow(curve, 4), 1e-6);
 }
 
-// What the curve predicts at the x that it gives for y is y; of several places the one that is asked for.
+// The curve predicts y at the x that it gives for y; of several places it gives the one that is asked for.
 TEST(CalibrationCurve, InverseUseOfPolynomialsFindsTheBranch) {
     Points p;
     for (int i = 0; i <= 12; ++i) {

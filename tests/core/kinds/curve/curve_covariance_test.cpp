@@ -31,7 +31,7 @@ Eigen::Index index_of(const std::string& coordinate, std::size_t points) {
     return std::stol(coordinate.substr(2)) - 1 + (coordinate[0] == 'y' ? Eigen::Index(points) : 0);
 }
 
-/// Of all x, then all y.
+/// Covariance of all x, then all y.
 Eigen::MatrixXd covariance_of(const Points& p, const std::vector<Correlation>& correlations, double common_x,
                               double common_y) {
     const auto n = Eigen::Index(p.x.size());

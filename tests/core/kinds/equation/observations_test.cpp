@@ -1,4 +1,4 @@
-// What a measurement equation says about observations: the Type A evaluation of each series, and a chart of
+// Observations in the evaluation of a measurement equation: the Type A evaluation of each series, a chart of
 // each quantity.
 #include <gtest/gtest.h>
 
@@ -26,7 +26,7 @@ TEST(Observations, TheTableHasMeanDeviationAndUncertaintyOfTheMean) {
     EXPECT_EQ(std::get<std::string>(v[0]), "V");
     EXPECT_EQ(test::si_of(v[1]), 5.0);
     EXPECT_NEAR(std::get<Quantity>(v[2]).value, 4.9990, 1e-12);
-    // By hand: sum of squares 0.000206, s^2 = 0.0000515.
+    // The sum of squares by hand is 0.000206, s^2 = 0.0000515.
     EXPECT_NEAR(std::get<Quantity>(v[3]).value, std::sqrt(0.000206 / 4), 1e-12);
     EXPECT_NEAR(std::get<Quantity>(v[4]).value, 0.0032, 5e-5) << "published";
     EXPECT_EQ(test::si_of(v[5]), 4.0);

@@ -130,7 +130,7 @@ TEST(ForceLoads, QuadraticTermsAreInverted) {
         EXPECT_NEAR(r.outputs[2].estimate, 80.0, 1e-9);  // loads are given: they come back
         (matrix == std::string("linear") ? linear : quadratic) = expanded(r, "mixed", false);
     }
-    EXPECT_LT(quadratic[2], 0.5 * linear[2]);  // what the straight line leaves is in its regression
+    EXPECT_LT(quadratic[2], 0.5 * linear[2]);  // the rest after a straight line is in its regression
     const UncertaintyResult r = project.monte_carlo("loads", 100'000);
     EXPECT_EQ(r.failed_trials, 0u);
     for (const OutputResult& y : r.outputs)

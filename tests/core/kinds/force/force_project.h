@@ -27,7 +27,7 @@ public:
     void remove_readings(const Place& place) {
         change_readings(place, [](auto&) { return false; });
     }
-    std::size_t column(const std::string& key) const;  ///< of the readings
+    std::size_t column(const std::string& key) const;  ///< column of the readings
 
     std::shared_ptr<const PreparedAnalysis> prepare(const std::string& analysis_id);
     UncertaintyResult first_order(const std::string& analysis_id);

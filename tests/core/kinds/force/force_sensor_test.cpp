@@ -128,7 +128,7 @@ TEST(ForceSensor, WhichIndexIsTheLoadIsAChoice) {
     expect_rounds_to(numbers(table, 4), {.01621, .00406, .00606, .00712, .00854, .00896}, 1e-5,
                      "interference");
     const Row reference = {3.30, 1.09, 1.45, 1.40, 1.61, 1.82}, found = numbers(table, 7);
-    for (std::size_t i = 0; i < 6; ++i)  // which starts from u_c as printed: half of 1e-5 mV/V, times k
+    for (std::size_t i = 0; i < 6; ++i)  // it starts from u_c as printed: half of 1e-5 mV/V, times k
         EXPECT_NEAR(found[i], reference[i], 0.005 + 100.0 * 2.0 * 0.5e-5 / 0.47948) << i;
     // The table stays as it was typed.
     expect_rounds_to(numbers(table_with(tables, "table-2"), 2),

@@ -73,7 +73,7 @@ inline std::vector<double> estimates(const MeasurementModel& model) {
     return x;
 }
 
-/// By group and symbol, SI.
+/// Results by group and symbol, SI.
 using Results = std::map<std::string, double>;
 inline Results results_of(const MeasurementModel& model) {
     std::vector<double> y(model.outputs().size());

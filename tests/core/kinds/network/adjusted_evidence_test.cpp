@@ -89,7 +89,7 @@ TEST(AdjustedEvidence, TheDataSeeWhatIsStatedTooLarge) {
     EXPECT_NEAR(sum, seen.degrees_of_freedom, 1e-7);
 }
 
-// What is taken over is the network that states those uncertainties by hand.
+// Uncertainties taken over as seen give the network that states them by hand.
 TEST(AdjustedEvidence, AsSeenIsTheSameAsStatingIt) {
     const TrueNetwork net = rich_hall();
     const Adjusted made = as_seen(net.stated, UncertaintiesFrom::seen);

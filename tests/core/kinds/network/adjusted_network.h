@@ -14,8 +14,8 @@ namespace covaria::network {
 struct TrueNetwork {
     std::map<std::string, Eigen::Vector3d> places;
     StatedAdjustment stated;
-    double deviations = 1.0;                             ///< of readings, in their u
-    std::map<std::string, std::array<double, 2>> tilts;  ///< of instruments: about x, then about y
+    double deviations = 1.0;                             ///< factor on the deviations of readings, in their u
+    std::map<std::string, std::array<double, 2>> tilts;  ///< tilts of instruments: about x, then about y
 
     /// Coordinates are given where `approximate`, to that many m.
     void point(const std::string& name, const Eigen::Vector3d& at, CoordinateRole plane,

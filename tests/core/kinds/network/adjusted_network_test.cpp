@@ -128,7 +128,7 @@ TEST(AdjustedNetwork, AnInstrumentThatIsNotLevelledIsFoundWithItsTilt) {
     EXPECT_LT((loose.network->state - made.network->state).norm(), 1e-8);
     leaning.stations[0].u = 1e-4;
     EXPECT_NE(Adjusted(leaning).words().find("larger than the uncertainties allow"), std::string::npos);
-    // Of distances alone it cannot be told.
+    // Distances alone cannot tell how the instrument stood.
     std::erase_if(leaning.readings, [](const StatedAdjustment::Reading& r) {
         return r.from == "S" && r.kind != ReadingKind::slope_distance;
     });

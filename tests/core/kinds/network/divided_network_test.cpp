@@ -44,7 +44,7 @@ void expect_rows_of_the_jacobian(const PreparedAnalysis& analysis) {
     std::vector<double> x;
     for (std::size_t i = 0; i < analysis.inputs.quantities.size(); ++i)
         x.push_back(estimate_of(analysis.inputs, i));
-    Eigen::MatrixXd exact;  // by the iteration in dual numbers
+    Eigen::MatrixXd exact;  // found by the iteration in dual numbers
     SensitivityRows rows;
     ASSERT_TRUE(analysis.model->jacobian(x, exact));
     ASSERT_TRUE(analysis.model->sensitivities(x, rows));
@@ -91,7 +91,7 @@ TEST(DividedNetwork, ATargetIsWhatItIsAlone) {
     }
 }
 
-// What a target depends on does not grow with the number of the others.
+// The inputs that a target depends on do not grow with the number of the other targets.
 TEST(DividedNetwork, SensitivitiesGrowWithTheTargetsAlone) {
     const auto coefficients = [](int count) {
         const auto analysis = prepared(bench::large_network(sensors, count));

@@ -1,4 +1,4 @@
-// What an adjustment leaves out, and why: by hand, gross readings, points that nothing tells, outliers.
+// Readings and points that an adjustment leaves out: by hand, gross readings, unknown points, outliers.
 #include "tests/core/kinds/network/adjusted_network.h"
 
 #include <algorithm>
@@ -110,7 +110,7 @@ TEST(LeftOut, ARobustStartFindsSeveralErrorsAtOnce) {
         EXPECT_NE(words.find(said), std::string::npos) << said << " in\n" << words;
     EXPECT_EQ(made.network->left_out.size(), 4u) << words;
     EXPECT_EQ(made.words().find("larger than"), std::string::npos) << made.words();
-    // Without errors it is the adjustment of all readings.
+    // A robust adjustment of readings without errors is that of all of them.
     StatedAdjustment right = hall(fixed_role, {}).stated;
     const Adjusted plain(right);
     right.robust = true;

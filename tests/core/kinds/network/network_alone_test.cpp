@@ -1,5 +1,5 @@
 // An instrument in a network of its own equals the instrument alone: deviation by deviation, for every sensor
-// of the library and some with everything that can be stated, at random stations, of random targets. Networks
+// of the library and some with all figures stated, at random stations, of random targets. Networks
 // of several against plain linear algebra. The cases of ../shared/cases that were wrong.
 #include <gtest/gtest.h>
 
@@ -53,7 +53,7 @@ void place(Setup& setup, Generator& g) {
         setup.values.erase(key);
 }
 
-/// With everything that its readings can share; the distance without a figure of its own if `zero`.
+/// A tracker with everything that its readings can share; the distance without a figure of its own if `zero`.
 Setup full_tracker(Generator& g, bool zero, bool correlated) {
     Setup setup{{{"kind", std::string("tracker")},
                  {"distance_constant", Quantity{zero ? 0.0 : 0.01, Unit::of("mm")}},
@@ -148,7 +148,7 @@ TEST(NetworkOfOne, EqualsTheInstrumentAlone) {
     EXPECT_GE(compared, 16u);
 }
 
-/// What displaces a target does so alike on both sides of the border at which azimuths become displacements.
+/// Deviations displace a target alike on both sides of the border at which azimuths become displacements.
 TEST(NetworkOfOne, NothingJumpsNearTheZenith) {
     Generator g(3);
     Project project;
@@ -178,7 +178,7 @@ std::array<double, 3> readings_at(const Station& station, const Eigen::Vector3d&
     return {v.norm(), std::atan2(v.y(), v.x()), std::atan2(v.z(), std::hypot(v.x(), v.y()))};
 }
 
-/// Of a reading by what `move` changes by `step`.
+/// Derivatives of a reading by the quantity that `move` changes by `step`.
 template <class Move>
 std::array<double, 3> differences(double step, const Move& move) {
     const auto high = move(step), low = move(-step);
@@ -186,7 +186,7 @@ std::array<double, 3> differences(double step, const Move& move) {
             (high[2] - low[2]) / (2 * step)};
 }
 
-/// Of all points, estimated together with all correlations: (Jᵀ C⁻¹ J)⁻¹, or G C Gᵀ for other weights.
+/// Covariance of all points with all their correlations: (Jᵀ C⁻¹ J)⁻¹, or G C Gᵀ for other weights.
 Eigen::MatrixXd slow_covariance(const std::vector<const SensorSource*>& sensors,
                                 const std::vector<Eigen::Vector3d>& points, bool with_stations) {
     const auto rows = static_cast<Eigen::Index>(3 * sensors.size() * points.size());

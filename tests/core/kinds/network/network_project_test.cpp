@@ -60,7 +60,7 @@ TEST(NetworkProject, PrecisionOfTheReadingsIsShownBesideTheTotal) {
     const auto cell = [&](std::size_t row, std::size_t column) {
         return 1e3 * test::si_of(table.columns.at(column).cell(row));
     };
-    // Of B the reference is a Monte Carlo run without deviations of the stations, 100 000 trials or more.
+    // The reference for B is a Monte Carlo run without deviations of the stations, 100 000 trials or more.
     expect_relative({cell(3, 1), cell(4, 1), cell(5, 1)}, {.0142, .0765, .0761},
                     4.0 * std::sqrt(0.5 / 100'000));
     expect_row({cell(0, 1), cell(1, 1), cell(2, 1)}, {.0186, .0761, .0770}, 5.1e-5);

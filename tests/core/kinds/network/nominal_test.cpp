@@ -1,4 +1,4 @@
-// What networks of given readings find depends on the readings and on what is stated of the stations, never
+// Results of networks of given readings depend on the readings and on the statements about stations, never
 // on where targets and stations were said to be beforehand.
 #include <gtest/gtest.h>
 
@@ -48,8 +48,8 @@ TEST(NetworkNominals, ANominalFarFromWhereTheReadingsFindATargetIsSaid) {
     EXPECT_EQ(words.find("target P1 "), std::string::npos) << words;
 }
 
-// With next to nothing known beforehand of the stations but one, what is said of them is where a search
-// begins.
+// Stated positions are only the beginning of a search: next to nothing is known of the stations, of all
+// but one.
 TEST(NetworkNominals, ResultsDoNotDependOnStationsThatAreFree) {
     std::mt19937_64 engine(7);
     std::uniform_real_distribution<double> unit(-1.0, 1.0);
@@ -120,7 +120,7 @@ TEST(NetworkNominals, SensitivitiesAreTheJacobianWhereStationsAreFound) {
         std::vector<double> x;
         for (std::size_t i = 0; i < analysis->inputs.quantities.size(); ++i)
             x.push_back(estimate_of(analysis->inputs, i));
-        Eigen::MatrixXd exact;  // by the iteration in dual numbers
+        Eigen::MatrixXd exact;  // found by the iteration in dual numbers
         SensitivityRows rows;
         ASSERT_TRUE(analysis->model->jacobian(x, exact));
         ASSERT_TRUE(analysis->model->sensitivities(x, rows));

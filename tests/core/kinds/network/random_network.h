@@ -18,12 +18,12 @@ struct Instrument {
     bool camera = false;
 };
 
-/// Where a network is made: instruments and targets as they are, readings of them, what is said of both.
+/// The truth that a network is made from: instruments and targets, readings of them, and the figures stated.
 struct World {
     std::vector<Instrument> instruments;
     std::vector<Eigen::Vector3d> targets;                  ///< mm
     std::vector<std::vector<std::array<double, 3>>> read;  ///< of a target by an instrument: mm, rad, rad
-    std::vector<Eigen::Vector3d> nominal;                  ///< of the targets, as stated, mm
+    std::vector<Eigen::Vector3d> nominal;                  ///< positions stated for the targets, mm
     std::vector<Eigen::Vector3d> stated;                   ///< positions of the instruments, mm
 };
 
@@ -128,7 +128,7 @@ inline Project project_of(const World& world, const std::string& weights = "with
 /// Estimates and standard uncertainties, m.
 struct Found {
     std::vector<double> y, u;
-    std::string words;  ///< what was warned of
+    std::string words;  ///< warnings
 };
 
 inline Found found_by(const Project& project) {

@@ -118,7 +118,7 @@ TEST(PoseSetup, WarnsOfLargeUncertaintiesGimbalLockAndOtherAxes) {
     expect_problem(s, Severity::warning, "/base_points/rows/3", "uses the first three points");
 }
 
-// What the axes made from points are compared with is the size of the whole figure, whichever points
+// Differences of axes made from points are judged by the size of the whole figure, whichever points
 // coincide.
 TEST(PoseSetup, WarnsOfOtherAxesOnlyWhereThereAreOthers) {
     const Points figures[] = {{{0, 0, 0}, {0, 0, 0}, {1000, 0, 0}, {0, 900, 0}},

@@ -28,7 +28,7 @@ double tolerance(double expanded, double rounding) {
 
 struct Case {
     std::array<double, 3> u_b;
-    std::array<std::array<double, 5>, 3> U;  ///< of x, y, z in poses 1 to 5, mm
+    std::array<std::array<double, 5>, 3> U;  ///< for x, y, z in poses 1 to 5, mm
     double U_gamma;                          ///< degrees; alpha and beta have 0.101
 };
 

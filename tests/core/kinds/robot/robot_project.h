@@ -89,7 +89,7 @@ inline const BudgetRow* budget_row(const UncertaintyResult& r, std::size_t outpu
         if (r.budget.components[row.component].quantities == std::vector<std::string>{quantity}) return &row;
     return nullptr;
 }
-/// Of x, y, z in the zero pose, had the parameters that an analysis finds nothing in common.
+/// u of x, y, z in the zero pose, had the parameters that an analysis finds nothing in common.
 inline Row u_without_correlation(Robot& robot, const std::string& identification) {
     const UncertaintyResult found = robot.run(identification, 0), zero = robot.run("zero-pose", 0);
     Row u(3);

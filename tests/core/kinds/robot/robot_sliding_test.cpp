@@ -82,7 +82,7 @@ TEST(SlidingJoints, TheirUncertaintyIsThatOfTheToolAlongThem) {
     EXPECT_EQ(made.analysis->inputs.quantities[made.analysis->inputs.find("s_2,1")].unit.text(), "mm");
     const UncertaintyResult result = run_analysis(*made.analysis).value();
     const Eigen::Isometry3d X = link_frames(made.robot(), {.3, -.2, .45, std::acos(-1.0) / 6}).back();
-    // by hand: scales along their axes, the wrist by its lever, the squareness by its own
+    // the variance by hand: scales along their axes, the wrist by its lever, the squareness by its own
     const auto frames = link_frames(made.robot(), {.3, -.2, .45, std::acos(-1.0) / 6});
     const double deg = std::acos(-1.0) / 180;
     Eigen::Vector3d variance = Eigen::Vector3d::Zero();

@@ -178,7 +178,7 @@ TEST(Urdf, WhatIsNoArmIsRefusedWithItsReason) {
     EXPECT_TRUE(import_urdf(two, {.tip = "m1"}));
 }
 
-// Of the element that cannot be, or where reading ended.
+// The line is that of the element that cannot be, or where reading ended.
 TEST(Urdf, WhatIsRefusedHasItsLine) {
     const auto line = [](const std::string& xml) {
         const auto imported = import_urdf(xml);

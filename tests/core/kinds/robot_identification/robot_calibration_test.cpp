@@ -104,7 +104,7 @@ TEST(Calibration, ExactPosesGiveTheParametersBack) {
     for (const auto& [symbol, value] : calibrated) EXPECT_NEAR(found.at(symbol).value, value, 1e-8) << symbol;
 }
 
-// Where the ball is said to be is a start: off by some decimetres, or on the axis of the last joint, where it
+// The stated place of the ball is a start: off by some decimetres, or on the axis of the last joint, where it
 // would not move with that joint.
 TEST(Calibration, AnyStartOfTheBallLeadsToTheSameArm) {
     Robot robot;

@@ -217,7 +217,7 @@ TEST(CirclePoints, TwoPointsAreNoCircle) {
     EXPECT_TRUE(says(robot, "joint 1 has 2 points")) << robot.words();
 }
 
-// Of each trajectory one point, and how many there are.
+// The layout has one point of each trajectory, and the number of them all.
 TEST(CirclePoints, TheLayoutSaysHowManyPointsHaveAnUncertainty) {
     Robot robot;
     const auto prepared = robot.prepare("trajectories");

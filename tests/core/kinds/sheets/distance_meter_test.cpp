@@ -107,7 +107,7 @@ TEST(DistanceMeter, EqualsADenseSolution) {
                 1e-6 * dense.s * dense.s);
 }
 
-// Where the pillars stand and where the line begins follows from the distances.
+// The places of the pillars and the beginning of the line follow from the distances.
 TEST(DistanceMeter, PillarsAreFoundInWhateverOrderTheyAreRead) {
     std::vector<Read> readings = all_pairs(places_of(6, 8), 0.004, 0.5e-3, 3), turned = readings;
     std::swap(turned[2], turned[9]);

@@ -117,7 +117,7 @@ TEST(AnalysisTemplates, ATrackerThatCannotSeeTheTargetsIsTakenAndItsErrorSaid) {
     expect_error_said(project, *id);
 }
 
-// As it comes from the library it stands in the origin, among the targets, nearer than it measures.
+// A tracker from the library stands in the origin, among the targets, nearer than it measures.
 TEST(AnalysisTemplates, ATrackerThatWasGivenNoPlaceStandsWhereTheTemplatesDoes) {
     Project project = *template_project(from_tracker());
     project.analyses.clear();
@@ -133,7 +133,7 @@ TEST(AnalysisTemplates, ATrackerThatWasGivenNoPlaceStandsWhereTheTemplatesDoes) 
     expect_value(project, *id, "with the project's tracker");
 }
 
-// Where another analysis uses it from the origin, it stays there.
+// A tracker that another analysis uses from the origin stays there.
 TEST(AnalysisTemplates, ATrackerThatIsUsedIsNotMoved) {
     Project project = *template_project(from_tracker());
     AssetEntry& mine = project.assets.front();
@@ -163,7 +163,7 @@ TEST(AnalysisTemplates, AnAssetThatIsNotCompleteIsUsedAllTheSame) {
     expect_error_said(project, *id);
 }
 
-/// Of a kind, and with the sort that the set-up says: tracker, camera.
+/// Kind of an asset, with the sort that its set-up says: tracker, camera.
 std::string kind_and_sort(const AssetEntry& asset) {
     const auto sort = asset.setup.values.find("kind");
     const auto* text = sort == asset.setup.values.end() ? nullptr : std::get_if<std::string>(&sort->second);

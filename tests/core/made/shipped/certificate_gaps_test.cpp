@@ -1,4 +1,4 @@
-// What a certificate lacks beside its texts: names of results, the specification of a tolerance, the coverage
+// Gaps of a certificate beside its texts: names of results, the specification of a tolerance, the coverage
 // probability of an accreditation.
 #include "core/made/certificate_gaps.h"
 

@@ -1,4 +1,4 @@
-// What is said of damaged projects names things as people see them: no ids, no paths of the file.
+// Messages on damaged projects name things as people see them: no ids, no paths of the file.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t most_damages = 40;  // of one project
+constexpr std::size_t most_damages = 40;  // damages of one project
 
 /// Texts that are the id of an asset or analysis become another one that no word can be mistaken for.
 void rename_ids(Json& node, const std::map<std::string, std::string>& ids) {
@@ -112,7 +112,7 @@ TEST_P(DamagedProject, IsSpokenOfWithoutIdsAndPaths) {
     }
 }
 
-// What is deleted, made wrong, or made of itself: references from everywhere.
+// The damaged entries lose their set-up, or are there twice; others refer to them.
 TEST_P(DamagedProject, SpeaksOfWhatIsMissingOrWrongWithoutIds) {
     const Json whole = with_plain_ids(GetParam());
     std::vector<Json::json_pointer> leaves;

@@ -45,7 +45,7 @@ long number_of(const Project& project) {
     return quantity ? std::lround(quantity->si() * 1e6) : -1;
 }
 
-/// What is in the folders beside the project, its data and what this window itself keeps.
+/// Number of files that a killed window left: temporary ones, and recovery entries but this window's own.
 long leftovers(const QString& file, const QString& recovery) {
     long found = 0;
     for (const QString& name : QFileInfo(file).dir().entryList(QDir::Files | QDir::Hidden))

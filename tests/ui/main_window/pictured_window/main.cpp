@@ -119,7 +119,7 @@ private:
         QString name;
         QImage picture;
     };
-    /// As it is found, and then each group with its head at the top.
+    /// Shoots the inspector as it is found, and then each group with its head at the top.
     void shoot_groups(const QString& start) {
         shoot(window_, start);
         FoldGroups& groups = window_.properties().groups();

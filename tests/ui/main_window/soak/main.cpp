@@ -181,7 +181,7 @@ private:
     std::mt19937 random_;
 };
 
-/// What the window shows and what the project is must never part.
+/// Whether the window shows what the project is: no result counts as current while a text cannot be read.
 bool is_truthful(MainWindow& window) {
     const UnreadTexts::Held held = window.document().unread().held(window.document().project());
     for (const auto& [id, reason] : held.analyses)
