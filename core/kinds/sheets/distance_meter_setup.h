@@ -38,7 +38,7 @@ struct DistanceMeterSetup {
     std::vector<std::string> pillars;  ///< along the line
     std::vector<double> along;         ///< about where they stand; 0 for the first
     std::vector<std::pair<std::size_t, std::size_t>> places =
-        {};                                                  ///< nearer, farther pillar of each reading
+        {};                                                  ///< nearer and farther pillar of each reading
     std::size_t unknowns() const { return pillars.size(); }  ///< n - 1 lengths and the zero offset
     double degrees_of_freedom() const { return double(readings.size()) - double(unknowns()); }
 };
