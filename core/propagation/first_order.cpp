@@ -189,7 +189,7 @@ Eigen::MatrixXd whole_covariance(const LawOfPropagation& law) {
     } else {
         covariance.noalias() += correlated * contribution.transpose();
         for (Eigen::Index j = 0; j < outputs;
-             ++j)  // in place: the largest matrix of thousands of outputs
+             ++j)  // in place: with thousands of outputs it is the largest matrix
             for (Eigen::Index i = 0; i < j; ++i)
                 covariance(i, j) = covariance(j, i) = 0.5 * (covariance(i, j) + covariance(j, i));
     }

@@ -17,7 +17,7 @@ struct TrialSource {
     const MeasurementModel* model = nullptr;
     const DrawPlan* plan = nullptr;
     std::uint64_t seed = 0;
-    Eigen::VectorXd estimate = {};  ///< first-order estimates: periodic outputs are unwrapped to them
+    Eigen::VectorXd estimate = {};  ///< first-order estimate of each: periodic outputs are unwrapped to it
     const LinearRows* linear = nullptr;  ///< linear parts of some outputs, to be evaluated too
     std::size_t outputs() const { return static_cast<std::size_t>(estimate.size()); }
     /// Number of rows: outputs, then their linear parts.
