@@ -15,7 +15,7 @@ namespace {
 /// Below this, of columns of length one, a direction counts as not determined: its cofactor would have no
 /// correct digit.
 constexpr double least_determined = 1e-7;
-/// What the datum must move of a direction that it is to determine.
+/// Least part of a direction that must lie in the datum for the datum to determine it.
 constexpr double least_datum = 1e-6;
 
 using Triplet = Eigen::Triplet<double>;
@@ -100,14 +100,14 @@ void Adjustment::find_undetermined(const SparseColumns& normal) {
     if (!factor.factorise(lower_of(normal, ridge))) return;
     const Eigen::VectorXd by_scale = scale_.cwiseInverse();
     Eigen::VectorXd scratch(n);
-    // One direction tells whether there is any: most networks leave none open.
+    // One starting vector first tells whether any direction is open: most networks leave none.
     for (Eigen::Index count = 1;; count = std::min(n, count == 1 ? 10 : 3 * count)) {
         Eigen::MatrixXd V = orthonormal(spread_vectors(n, count));
         for (int round = 0; round < rounds; ++round) {
             for (Eigen::Index j = 0; j < count; ++j) factor.solve(V.col(j).data(), scratch.data());
             V = orthonormal(V);
         }
-        // Of the design itself, not of its square: half of the digits would be lost there.
+        // The design itself is decomposed, not its square, in which half of the digits would be lost.
         const Eigen::MatrixXd seen = whitened_ * (by_scale.asDiagonal() * V);
         const auto svd = singular_values(Eigen::MatrixXd(seen.transpose() * seen), Eigen::ComputeFullV);
         const Eigen::MatrixXd turned = V * svd.matrixV(), turned_seen = seen * svd.matrixV();
@@ -137,11 +137,11 @@ void Adjustment::take_to_datum(const std::vector<std::size_t>& datum) {
         open_ = undetermined_ * svd.matrixV()(Eigen::all, open);
         return;
     }
-    // Those that are held while the others are found: of the datum the ones that the directions move most.
+    // The held unknowns, while the others are found, are those of the datum that the directions move most.
     const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> pivots(of_datum.transpose());
     for (Eigen::Index j = 0; j < d; ++j)
         held_.push_back(datum[static_cast<std::size_t>(pivots.colsPermutation().indices()[j])]);
-    // In the unknowns themselves, orthonormal in the datum.
+    // The directions are stated in the unknowns themselves, orthonormal in the datum.
     undetermined_ = scale_.cwiseInverse().asDiagonal() * undetermined_;
     for (Eigen::Index i = 0; i < in_datum; ++i)
         of_datum.row(i) = undetermined_.row(static_cast<Eigen::Index>(datum[static_cast<std::size_t>(i)]));

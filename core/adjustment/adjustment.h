@@ -39,8 +39,8 @@ public:
     /// Directions that no reading determines, by columns; the datum's share of them is orthonormal.
     const Eigen::MatrixXd& undetermined() const { return undetermined_; }
     std::size_t defect() const { return static_cast<std::size_t>(undetermined_.cols()); }
-    /// Those of them that the datum does not determine either, in unknowns of their scaled size; without any
-    /// the equations are solved.
+    /// Undetermined directions that the datum does not determine either, in unknowns of their scaled size;
+    /// without any the equations are solved.
     const Eigen::MatrixXd& open() const { return open_; }
     bool is_solved() const { return open_.cols() == 0 && factor_ != nullptr; }
     /// Readings less unknowns plus defect.

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double least_redundancy = 1e-6;
 
-/// Of readings that have a covariance in common: P v, P Q_vv P and Q_vv P.
+/// The parts of P v, P Q_vv P and Q_vv P for readings that have a covariance in common.
 struct BlockSums {
     Eigen::MatrixXd tested;
     Eigen::VectorXd redundancy;

@@ -20,7 +20,7 @@ public:
 
 private:
     friend class SparseFactor;
-    std::vector<int> place_;  ///< of each unknown in the order of elimination
+    std::vector<int> place_;  ///< position of each unknown in the order of elimination
     std::vector<int> starts_, rows_;
     std::vector<double> values_, diagonal_;
 };
@@ -37,7 +37,7 @@ public:
     SelectedInverse selected_inverse() const;
 
 private:
-    std::vector<int> place_;  ///< of each unknown in the order of elimination
+    std::vector<int> place_;  ///< position of each unknown in the order of elimination
     std::vector<int> starts_, rows_;
     std::vector<double> values_, diagonal_;
 };

@@ -22,7 +22,7 @@ public:
     void put_all(std::span<const T> values) {
         bytes_.append(reinterpret_cast<const char*>(values.data()), values.size_bytes());
     }
-    /// With their number before them. `Values`: contiguous, of arithmetic type.
+    /// Writes a list with the number of its values before them. `Values`: contiguous, of arithmetic type.
     template <class Values>
     void put_list(const Values& values) {
         put(static_cast<std::uint64_t>(values.size()));
@@ -34,8 +34,8 @@ private:
     std::string bytes_;
 };
 
-/// What a ByteWriter wrote, in the same order. Whoever has read all asks `complete`: where bytes were
-/// missing, zeros were read, and lists were left as they were.
+/// Reader of what a ByteWriter wrote, in the same order. Whoever has read all asks `complete`: where bytes
+/// were missing, zeros were read, and lists were left as they were.
 class ByteReader {
 public:
     explicit ByteReader(std::string_view bytes) : bytes_(bytes) {}
@@ -61,9 +61,9 @@ public:
         if (size > 0) std::memcpy(values.data(), from, static_cast<std::size_t>(size) * sizeof(T));
     }
     bool is_short() const { return short_; }
-    /// What was read cannot be: as if it were not there.
+    /// Treats what was read as missing bytes, as it cannot be true.
     void refuse() { short_ = true; }
-    /// Everything was there, and nothing is left.
+    /// Whether everything was there, and nothing is left.
     bool complete() const { return !short_ && bytes_.empty(); }
 
 private:

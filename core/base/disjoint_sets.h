@@ -10,7 +10,7 @@ namespace covaria {
 
 class DisjointSets {
 public:
-    /// Each of the numbers from 0 to `count` - 1 is a set by itself.
+    /// Makes each of the numbers from 0 to `count` - 1 a set by itself.
     explicit DisjointSets(std::size_t count) : above_(count) {
         std::iota(above_.begin(), above_.end(), std::size_t{0});
     }

@@ -1,4 +1,4 @@
-// What can go wrong, as values: Error (one failure), Result<T> (a value or an Error), Problem (one finding of
+// Failures as values: Error (one failure), Result<T> (a value or an Error), Problem (one finding of
 // a check).
 #pragma once
 
@@ -21,7 +21,7 @@ enum class ErrorCode {
     usage,      ///< wrong command line
 };
 
-/// One failure: what the user is told, with the place in the project file where it is known.
+/// A failure: what the user is told, with the place in the project file where it is known.
 struct Error {
     ErrorCode code = ErrorCode::bad_input;
     Message message = {};
@@ -52,7 +52,7 @@ struct Remedy {
     std::vector<Value> values;
 };
 
-/// One finding of a check (of a project, a set-up, an asset). Checks collect all of them instead of stopping
+/// A finding of a check (of a project, a set-up, an asset). Checks collect all of them instead of stopping
 /// at the first.
 struct Problem {
     Severity severity = Severity::error;
@@ -60,9 +60,9 @@ struct Problem {
     Message message = {};
     std::string file = {};
     int line = 0;
-    std::vector<Remedy> remedies = {};  ///< to choose from
+    std::vector<Remedy> remedies = {};  ///< ways out to choose from
 
-    /// It was found in a part that lives at `prefix` ("/analyses/0/setup").
+    /// Moves the finding below `prefix` ("/analyses/0/setup"), where the part lives that was checked.
     void move_below(const std::string& prefix) {
         path = prefix + path;
         for (Remedy& remedy : remedies)

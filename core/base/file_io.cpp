@@ -232,7 +232,7 @@ Result<void> write_file_with_mode(const fs::path& file, const std::string& bytes
 Result<void> write_file_atomically(const fs::path& file, const std::string& bytes) {
     std::error_code ignored;
     fs::path target = fs::absolute(file, ignored);
-    if (fs::is_symlink(target, ignored)) {  // what the link names is replaced, not the link
+    if (fs::is_symlink(target, ignored)) {  // the file that a link names is replaced, not the link
         const fs::path named = fs::weakly_canonical(target, ignored);
         if (!ignored && !named.empty()) target = named;
     }

@@ -8,7 +8,7 @@
 
 namespace covaria {
 
-/// As `write_file_atomically`, and nobody may do with it what `mode` (0600) does not allow, at any moment.
+/// Writes a file as `write_file_atomically` does, which at no moment allows more than `mode` (0600).
 Result<void> write_file_with_mode(const std::filesystem::path& file, const std::string& bytes, unsigned mode);
 
 }  // namespace covaria

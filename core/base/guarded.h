@@ -1,4 +1,4 @@
-// Where exceptions end: what is thrown below becomes an Error.
+// The place where exceptions end: what is thrown below becomes an Error.
 #pragma once
 
 #include <exception>

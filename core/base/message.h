@@ -1,4 +1,4 @@
-// What the user is told, as a value: words of the program with what stands in them. It is worded at the edge,
+// A message to the user as a value: words of the program with what stands in them. It is worded at the edge,
 // in English or through a catalogue.
 #pragma once
 
@@ -14,16 +14,17 @@
 
 namespace covaria {
 
-/// Nothing of it is parsed back: what depends on a failure reads its code and path.
+/// A message to the user. Nothing of it is parsed back: what depends on a failure reads its code and path.
 class Message {
 public:
     /// The translation of an English text; the text itself where there is none.
     using Words = std::function<std::string(const std::string& english)>;
-    /// How a plain number is written: "−2,3×10⁻⁵".
+    /// The written form of a plain number: "−2,3×10⁻⁵".
     using Numbers = std::function<std::string(const std::string& plain)>;
 
     Message() = default;
-    /// As it is in every language: names that people gave, numbers, words of other programs.
+    /// Makes a message that is the same in every language: names that people gave, numbers, words of other
+    /// programs.
     Message(std::string as_it_is) : text_(std::move(as_it_is)) {}
     Message(const char* as_it_is) : text_(as_it_is) {}
     Message(std::string_view as_it_is) : text_(as_it_is) {}
@@ -37,7 +38,7 @@ public:
 
     /// "%1" to "%9" stand for the arguments; the words live as long as the program.
     static Message of_words(const char* english, std::vector<Message> arguments);
-    /// What a registry declares: the title of a field.
+    /// Makes a message of what a registry declares: the title of a field.
     static Message declared(std::string_view english);
     /// A plain number ("-2.3e-05"), which is written as its reader writes numbers.
     static Message number(std::string plain);
@@ -51,14 +52,14 @@ public:
     friend bool operator==(const Message& a, const Message& b) { return a.english() == b.english(); }
     friend std::ostream& operator<<(std::ostream& out, const Message& message);
 
-    /// Every text that `tell` is called with, in the program that asks.
+    /// All texts that `tell` is called with, in the program that asks.
     static const std::vector<const char*>& all_words();
 
 private:
-    const char* known_ = nullptr;  ///< of `tell`; else:
+    const char* known_ = nullptr;  ///< words given to `tell`; null: the text counts
     std::string text_;
     std::vector<Message> arguments_;
-    enum class Kind { as_it_is, declared, number } kind_ = Kind::as_it_is;  ///< of the text
+    enum class Kind { as_it_is, declared, number } kind_ = Kind::as_it_is;  ///< kind of the text
 };
 
 namespace detail {

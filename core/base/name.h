@@ -25,7 +25,7 @@ public:
         return name;
     }
 
-    /// For people.
+    /// The name for people.
     Message said() const { return said_ && said_->english() == *this ? *said_ : Message(std::string(*this)); }
 
 private:
@@ -45,7 +45,7 @@ Name own_name(const Message& part) {
     return Name::of(tell<name>(part));
 }
 
-/// For people; what has lost who gave it is refused by the compiler.
+/// The name for people; a name that has lost who gave it is refused by the compiler.
 inline Message said_name(const Name& name) {
     return name.said();
 }

@@ -5,8 +5,8 @@
 
 namespace covaria {
 
-/// `name` says that it lies in `folder`, and a link on its way leads elsewhere. What is told to be beside a
-/// project is embedded in its reports, so that nothing else of the machine may be reached by it.
+/// Whether `name`, which lies in `folder`, is led out of it by a link on its way. Files beside a project are
+/// embedded in its reports, so that nothing else of the machine may be reached by them.
 bool is_led_out_of(const std::filesystem::path& folder, const std::filesystem::path& name);
 
 }  // namespace covaria

@@ -7,8 +7,8 @@
 
 namespace covaria {
 
-/// In one pass: a "%1" within an argument stays. `Words`: std::string or Text; `arguments` has size() and
-/// operator[].
+/// Puts the arguments in, in one pass: a "%1" within an argument stays. `Words`: std::string or Text;
+/// `arguments` has size() and operator[].
 template <class Words, class Arguments>
 Words fill_placeholders(const std::string& text, const Arguments& arguments) {
     Words said;

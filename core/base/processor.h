@@ -1,4 +1,4 @@
-// What the processor at hand has beyond the instructions that the program is built for.
+// Instructions of the processor at hand beyond those that the program is built for.
 #pragma once
 
 // A function that may use AVX-512; its callers ask has_avx512().
@@ -6,7 +6,7 @@
 
 namespace covaria {
 
-/// Where it is used, integers and single operations of IEEE 754 give the bits that AVX2 gives.
+/// Whether AVX-512 may be used; integers and single operations of IEEE 754 give the bits that AVX2 gives.
 inline bool has_avx512() {
     static const bool has = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
                             __builtin_cpu_supports("avx512vl");

@@ -1,4 +1,4 @@
-// Where the files shipped with the program are: examples, help pages, the instrument library.
+// Places of the files shipped with the program: examples, help pages, the instrument library.
 #pragma once
 
 #include <filesystem>

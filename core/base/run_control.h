@@ -1,4 +1,4 @@
-// How a long computation is steered from outside: stop, progress, number of threads.
+// Control of a long computation from outside: stop, progress, number of threads.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ class UnitStore;  // core/base/unit_store.h
 struct Progress {
     std::uint64_t trials_done = 0;
     std::uint64_t trials_planned = 0;  ///< 0 = not known (adaptive)
-    std::optional<double> best = {};   ///< of a search: the smallest objective so far
+    std::optional<double> best = {};   ///< smallest objective of a search so far
 };
 
 struct RunControl {
@@ -22,7 +22,7 @@ struct RunControl {
     /// Called only on the thread that called the engine, some ten times a second at most. May be empty.
     std::function<void(const Progress&)> progress = {};
     int threads = 0;             ///< 0 = as many as the machine has
-    UnitStore* units = nullptr;  ///< where the computation is shared with other processes
+    UnitStore* units = nullptr;  ///< set where the computation is shared with other processes
 };
 
 }  // namespace covaria

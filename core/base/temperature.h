@@ -15,12 +15,12 @@
 
 namespace covaria {
 
-/// What a value with the dimension of temperature is, where more is known than its unit says: in K may be
-/// either.
+/// Meaning of a value with the dimension of temperature, where more is known than its unit says, as K may
+/// stand for either.
 enum class TemperatureKind {
-    by_unit,     ///< in degC a reading, in K not known
+    by_unit,     ///< a reading in degC, not known in K
     reading,     ///< also where it is given in K
-    difference,  ///< of two readings
+    difference,  ///< difference of two readings
 };
 
 /// Whether the value is known to be a temperature, not a difference.
@@ -33,16 +33,16 @@ bool is_reading_for_difference(const Unit& given, const Unit& expected);
 /// Why, where a quantity is given in `expected` and something about its value in `given`; empty: it can.
 Message reading_objection(const Unit& given, const Unit& expected);
 
-/// Of a reading in a product, a quotient, a power or a function that would take it in kelvin. `written` is
-/// how an equation has it: "t"; `scale` its unit.
+/// Objection to a reading in a product, a quotient, a power or a function that would take it in kelvin.
+/// `written` is how an equation has it: "t"; `scale` its unit.
 Message factor_objection(const Message& reading, const std::string& written, const Unit& scale);
-/// Of a multiple of a reading ("1.001*t"): it has no place on the scale.
+/// Objection to a multiple of a reading ("1.001*t"): it has no place on the scale.
 Message multiple_objection(const Message& multiple, const Unit& scale);
 /// Why no part of a value in this unit can be stated (in %, ppm), nor a multiple of it be taken; empty: it
 /// can.
 Message part_objection(const Unit& of_value);
 
-/// Of a value that is taken from elsewhere (a link).
+/// A value that is taken from elsewhere (a link).
 struct TakenTemperature {
     Message name = {};
     Unit unit = {};

@@ -22,10 +22,10 @@ namespace {
 constexpr std::size_t longest_text = 64;
 constexpr int largest_exponent = 127;
 
-/// One factor of a product of units.
+/// A factor of a product of units.
 struct Factor {
     detail::KnownUnit unit;
-    int exponent = 1;      ///< as written, before the sign of a quotient
+    int exponent = 1;      ///< exponent as written, before the sign of a quotient
     bool divides = false;  ///< stands after '/'
 };
 using Factors = std::vector<Factor>;

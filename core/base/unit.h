@@ -26,16 +26,16 @@ public:
     /// are read as micro; signs for degree, ohm, product and powers are accepted too. In a compound, degC
     /// stands for an interval of temperature. Error: unknown or malformed unit.
     static Result<Unit> parse(std::string_view text);
-    /// For literals in code that are known to be right; terminates on a malformed text.
+    /// Makes a unit from a literal in code that is known to be right; terminates on a malformed text.
     static Unit of(std::string_view text);
 
-    const std::string& text() const { return text_; }  ///< as written in files, plain ASCII ("um", "m/s^2")
-    const std::string& display() const { return display_; }  ///< as shown to people ("µm", "°", "N·m")
+    const std::string& text() const { return text_; }  ///< plain ASCII, as written in files ("um", "m/s^2")
+    const std::string& display() const { return display_; }  ///< text for people ("µm", "°", "N·m")
     const Dimension& dimension() const { return dimension_; }
 
     double to_si(double value) const { return interval_to_si(value) + offset_; }
     double from_si(double value) const { return interval_from_si(value - offset_); }
-    /// For differences and uncertainties: without the offset of degC.
+    /// Conversion of differences and uncertainties: without the offset of degC.
     double interval_to_si(double value) const { return value * numerator_ / denominator_; }
     double interval_from_si(double value) const { return value * denominator_ / numerator_; }
 

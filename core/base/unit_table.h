@@ -13,17 +13,17 @@
 
 namespace covaria::detail {
 
-/// Which of the SI prefixes a unit takes (SI brochure, 9th edition, 3 and 4).
+/// SI prefixes that a unit takes (SI brochure, 9th edition, 3 and 4).
 enum class Prefixes { none, all, large };
 
 struct UnitEntry {
-    std::string_view name;     ///< in files: "ohm"
-    std::string_view display;  ///< for people: "Ω"
+    std::string_view name;     ///< name in files: "ohm"
+    std::string_view display;  ///< name for people: "Ω"
     double numerator;          ///< one unit = numerator/denominator in SI
     double denominator;
     Dimension dimension;
     Prefixes prefixes = Prefixes::none;
-    std::array<std::string_view, 3> words = {};  ///< what people call it; the first two may be spellings
+    std::array<std::string_view, 3> words = {};  ///< words of people for it; the first two may be spellings
     double offset = 0.0;                         ///< SI value of zero on the scale (degC, degF)
     /// A name for one kind of quantity only (Bq, Gy): never chosen as the name of a dimension.
     bool one_kind_only = false;
@@ -40,7 +40,7 @@ struct KnownUnit {
 };
 
 std::span<const UnitEntry> unit_table();
-/// Every unit of the table with each prefix that it takes.
+/// All units of the table, each with every prefix that it takes.
 std::vector<KnownUnit> all_units();
 
 /// The unit with this name, prefix included; a further name ("l", "mil", "inch") is read as its unit.

@@ -21,7 +21,7 @@ const AttachedFile* find_file(const std::vector<AttachedFile>& files, const std:
     return nullptr;
 }
 
-/// What is nested deeper than results ever are is left out.
+/// JSON without what is nested deeper than results ever are.
 Json parsed(const std::string& text) {
     const auto keep = [](int depth, Json::parse_event_t, Json&) { return depth <= 20; };
     return Json::parse(text, keep, false);
@@ -108,7 +108,7 @@ private:
         values(then, now, at);
     }
 
-    /// By keys and places down to the numbers.
+    /// Compares two values by keys and places down to the numbers.
     void values(const Json& then, const Json& now, const std::string& at) {
         if (then == now) return;
         if (then.is_object() && now.is_object()) {
@@ -128,7 +128,7 @@ private:
     }
 };
 
-/// By this program or another version of it: what it wrote of itself is no result.
+/// Whether a file is a result, made by this program or another version: results.json about the run is none.
 bool is_result(const AttachedFile& file) {
     return file.as == AttachedAs::data && file.name != carried::results;
 }

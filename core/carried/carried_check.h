@@ -1,4 +1,4 @@
-// Whether results are those that a report carries, to the last bit.
+// Check whether results are those that a report carries, to the last bit.
 #pragma once
 
 #include <set>
@@ -10,12 +10,12 @@
 
 namespace covaria {
 
-/// What results.json of a report says of how it was made.
+/// Statement of a report's results.json about how it was made.
 struct CarriedResults {
-    std::string version;                ///< of the program
+    std::string version;                ///< version of the program
     std::vector<std::string> analyses;  ///< ids, evaluated or failed
     std::set<std::pair<std::string, std::string>> studies =
-        {};  ///< likewise, of an analysis and of its study
+        {};  ///< ids of an analysis and of its study, evaluated or failed
 };
 /// Error: there is no results.json, or it is none.
 Result<CarriedResults> carried_results(const std::vector<AttachedFile>& files);
@@ -25,8 +25,8 @@ struct Comparison {
     std::size_t beyond = 0;                ///< how many more
     bool same() const { return differences.empty() && beyond == 0; }
 };
-/// Of results and tables, byte by byte; where bytes differ, of what they say. The version of the program is
-/// not compared. `now`: what a report of the same project would carry.
+/// Compares results and tables byte by byte; where bytes differ, what they say. The version of the program is
+/// left out. `now`: what a report of the same project would carry.
 Comparison compare_carried(const std::vector<AttachedFile>& then, const std::vector<AttachedFile>& now);
 
 }  // namespace covaria

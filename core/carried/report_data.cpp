@@ -86,8 +86,8 @@ private:
                              "Logo of the certificate", AttachedAs::source});
     }
 
-    /// What set-ups name beside the project; what is too large, or lies elsewhere, is not carried, and the
-    /// project says so when it is read.
+    /// Adds the meshes that set-ups name beside the project; those too large, or elsewhere, are left out, and
+    /// the project says so when it is read.
     void add_meshes(const Project& project, std::vector<AttachedFile>& files) {
         std::size_t bytes_carried = 0;
         for (const AssetEntry& asset : project.assets) {

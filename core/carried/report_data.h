@@ -1,4 +1,4 @@
-// What a report carries: the project that it was made of, and its results for machines.
+// Files that a report carries: the project that it was made of, and its results for machines.
 #pragma once
 
 #include <string>

@@ -65,7 +65,7 @@ double printed_width(const TableBlock& block) {
     return width;
 }
 
-/// What cannot scroll must fit: wide tables are printed smaller, the widest on a page across.
+/// Class of a table by its width in print, where nothing scrolls: smaller, the widest on a page across.
 std::string printed_class(const TableBlock& block) {
     constexpr double upright = 170.0, across = 257.0;
     const double width = printed_width(block);
@@ -255,7 +255,7 @@ std::string language_tag(std::string code) {
     return code;
 }
 
-/// What stands in the margin of every printed page.
+/// Style of the margins of every printed page.
 std::string page_heads(const ReportDocument& document) {
     if (!document.head_on_every_page) return {};
     return "@page { @top-left { content: " + css_text(document.running_head) +

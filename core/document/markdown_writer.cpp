@@ -39,7 +39,7 @@ std::string escaped(const std::string& words) {
     return out;
 }
 
-/// At the beginning of a block, where some marks make headings, lists, rules or code.
+/// Text at the beginning of a block, where some marks would make headings, lists, rules or code.
 std::string escaped_block(const std::string& text) {
     const std::size_t first = std::min(text.find_first_not_of(" \t\r\n"), text.size());
     std::string out = escaped(text.substr(first));

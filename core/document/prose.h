@@ -8,9 +8,9 @@
 namespace covaria {
 
 enum class Links { shown, dropped };
-/// As the inside of a paragraph.
+/// HTML for the inside of a paragraph.
 std::string prose_html(const std::vector<ProseSpan>& spans, Links links);
-/// Words alone.
+/// The words alone.
 std::string prose_words(const std::vector<ProseSpan>& spans);
 
 }  // namespace covaria

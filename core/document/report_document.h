@@ -18,18 +18,18 @@ namespace covaria {
 struct HeadingBlock {
     int level = 1;
     std::string text;
-    std::string anchor = {};   ///< by which contents and links find it; empty: they do not
-    bool begins_page = false;  ///< in print
+    std::string anchor = {};   ///< name by which contents and links find it; empty: they do not
+    bool begins_page = false;  ///< begins a page in print
 };
 /// A piece of a page of help.
 struct ProseSpan {
-    std::string text;  ///< with symbols, unless it is code
+    std::string text;  ///< typeset symbols included, unless it is code
     bool strong = false, emphasis = false, code = false;
     std::string link = {};  ///< "#anchor" or an address
 };
 struct ProseBlock {
     std::vector<ProseSpan> spans;
-    std::string mark = {};  ///< of an item of a list: "–", "2."
+    std::string mark = {};  ///< mark of an item of a list: "–", "2."
     std::string anchor = {};
 };
 /// Lines as they stand.
@@ -44,7 +44,7 @@ struct PictureBlock {
 /// The headings of the document, with their pages in print.
 struct ContentsBlock {
     int levels = 2;
-    bool searched = false;  ///< on a screen, with a field to search the headings of all levels
+    bool searched = false;  ///< on a screen, has a field to search the headings of all levels
 };
 struct ParagraphBlock {
     std::string text;
@@ -58,7 +58,7 @@ struct FactsBlock {
     std::vector<std::pair<std::string, std::string>> facts;
     bool literal = false;  ///< values are what was typed ("A_7" of a serial number), not symbols
 };
-/// What a certificate says last, who signs it, room to do so, and its end; they never part.
+/// The end of a certificate: last statement, who signs it, room to do so, and its end; they never part.
 struct SignatureBlock {
     std::string statement;
     std::string date, name, function;
@@ -67,7 +67,7 @@ struct SignatureBlock {
 struct EquationBlock {
     std::string text;
     std::string source;
-    Formula formula = {};  ///< for writers that can set it; empty: `text` is all
+    Formula formula = {};  ///< tree for writers that can set it; empty: `text` is all
 };
 
 /// A table with the view that writers set it in: the title of a column is its head, `written` its cells.
@@ -88,7 +88,7 @@ struct PlotBlock {
 struct SceneBlock {
     std::string id, analysis, group, view;
     std::string caption;
-    std::string design = {};  ///< what this design of the analysis found, in place of the result
+    std::string design = {};  ///< design of the analysis whose findings it shows, in place of the result
 };
 
 using ReportBlock =
@@ -101,10 +101,10 @@ struct ReportDocument {
     std::vector<ReportBlock> blocks;
     std::string over = "Report of an uncertainty evaluation";  ///< above the title, in print
     LogoPicture logo = {};                                     ///< beside the title
-    std::string author = {};                                   ///< in its properties
-    std::string language = "en";                               ///< its code: "pt", "zh_CN"
+    std::string author = {};                                   ///< author in its properties
+    std::string language = "en";                               ///< code of its language: "pt", "zh_CN"
     std::string page_words = "Page %1 of %2";
-    NumberLocale numbers = {};        ///< of charts and scenes
+    NumberLocale numbers = {};        ///< written form of numbers in charts and scenes
     bool head_on_every_page = false;  ///< the running head stands on the first page too
 };
 

@@ -1,4 +1,4 @@
-// From statements to a program: order, names, dimensions.
+// Compiler from statements to a program: order, names, dimensions.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -41,7 +41,7 @@ private:
         open_.push_back({s, parsed_.statements[s].first_node});
     }
 
-    // With a stack of its own: chains of definitions may be long.
+    // The walk has a stack of its own: chains of definitions may be long.
     void visit(std::size_t s) {
         enter(s);
         while (!open_.empty()) {
@@ -100,7 +100,7 @@ Message text_of(const Node& node) {
         node.place.column, node.place.column + std::max<std::size_t>(node.place.length, 1) - 1);
 }
 
-/// Of what has been reported already: no further complaint follows from it.
+/// Kind of a value that has been reported already: no further complaint follows from it.
 Kind any_kind() {
     Kind any;
     any.any = true;
@@ -112,7 +112,7 @@ Message unknown_symbol(const std::string& name) {
         "'%1' is neither defined nor one of the quantities: give it a row in the table of quantities">(name);
 }
 
-/// Of temperatures: differences that are wanted in degC.
+/// Objection to differences of temperatures that are wanted in degC.
 Message difference_objection(const WantedOutput& wanted, const Kind& kind) {
     if (!wanted.unit || !wanted.unit->has_offset() || !kind.is_difference()) return {};
     return tell<"%1 is a difference of temperatures: its unit is K, not %2">(in_quotes(wanted.name),
@@ -125,7 +125,7 @@ TemperatureKind temperature_of(const Kind& kind) {
                                   : TemperatureKind::by_unit;
 }
 
-/// Which temperature in degC is a factor of the value of each node.
+/// For each node, the temperature in degC that is a factor of its value.
 class ReadingsOfNodes {
 public:
     explicit ReadingsOfNodes(const ParsedText& parsed)
@@ -164,7 +164,7 @@ private:
     std::map<std::string, int, std::less<>> defined_;
 };
 
-/// As the text of an equation has it: "t", "20 [degC]"; of longer expressions a letter stands for them.
+/// Text of an operand in an equation: "t", "20 [degC]"; "t" stands for longer expressions.
 std::string written(const Node& node) {
     if (node.operation == Operation::symbol) return node.text;
     return node.operation == Operation::constant ? node.text + " [" + node.unit.text() + "]" : "t";
@@ -204,7 +204,7 @@ private:
     }
     int& at(int node) { return registers_[static_cast<std::size_t>(node)]; }
 
-    /// Of each temperature once, with all its places: they are mended together.
+    /// Reports each temperature once, with all its places: they are mended together.
     void refuse_reading(int index) {
         const Operand used = operand(index);
         if (const Message sum = sum_objection(used); !sum.empty())
@@ -221,7 +221,7 @@ private:
         problems_[known->second].readings.push_back(reading.place);
     }
 
-    /// As it is written; degC of what has been computed.
+    /// Unit of a temperature as it is written; degC for a computed one.
     Unit scale_of(const Node& reading) const {
         if (reading.operation == Operation::constant && reading.unit.has_offset()) return reading.unit;
         const auto known = quantity_.find(reading.text);
@@ -386,9 +386,9 @@ private:
     std::map<std::string, int, std::less<>> defined_;
     std::set<std::string> unknown_;
     ReadingsOfNodes readings_;
-    std::map<std::string, std::size_t> refused_readings_;  ///< as written, with their problems
-    std::vector<int> registers_;                           ///< of the nodes
-    std::vector<bool> in_branch_;                          ///< of the nodes
+    std::map<std::string, std::size_t> refused_readings_;  ///< index of the problem by its text
+    std::vector<int> registers_;                           ///< register of each node
+    std::vector<bool> in_branch_;                          ///< whether each node is in a branch
 };
 
 }  // namespace

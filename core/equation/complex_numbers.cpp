@@ -15,7 +15,7 @@ using O = Operation;
 
 constexpr double greatest_product = 16.0;  ///< whole powers up to it are products
 
-/// Which nodes are complex, found by walking until nothing changes: definitions stand in any order.
+/// The nodes that are complex, found by walking until nothing changes: definitions stand in any order.
 class ComplexNodes {
 public:
     explicit ComplexNodes(const ParsedText& parsed) : parsed_(parsed), is_complex_(parsed.nodes.size()) {
@@ -157,7 +157,7 @@ private:
         return value.is_complex() ? value.im : constant(0.0, place);
     }
 
-    /// Of the node that is being lowered.
+    /// Adds an operation at the place of the node that is being lowered.
     int op(Operation operation, int a, int b = -1, int c = -1) {
         Node node{operation, a, b, c};
         node.place = now_->place;
@@ -287,7 +287,7 @@ private:
                 return {imaginary(a, node.place)};
             case O::conjugate:
                 return a.is_complex() ? Pair{a.re, op(O::negate, a.im)} : a;
-            default:  // of a negative number pi
+            default:  // the argument of a negative number is pi
                 return {op(O::arc_tangent_2, imaginary(a, node.place), a.re)};
         }
     }

@@ -17,7 +17,7 @@ ParsedText in_real_numbers(const ParsedText& parsed, TextProblems& problems);
 /// Names of definitions that are complex.
 std::vector<std::string> complex_definitions(const ParsedText& parsed);
 
-/// What the parts of a complex definition are called.
+/// Names of the two parts of a complex definition.
 std::string real_part_of(const std::string& name);
 std::string imaginary_part_of(const std::string& name);
 

@@ -38,7 +38,7 @@ std::string power_words(double exponent) {
     return text == "1" ? "" : "^" + text;
 }
 
-/// As a product of base units, fractional exponents too.
+/// Words for a kind as a product of base units, with fractional exponents too.
 std::string product_words(const Kind& kind) {
     std::string text;
     for (std::size_t i = 0; i < angle; ++i)
@@ -55,13 +55,13 @@ KindOfResult refused(Message objection) {
     return {{}, std::move(objection)};
 }
 
-/// Of two operands that must be alike: the one that is not the literal 0.
+/// Kind of two operands that must be alike: that of the one that is not the literal 0.
 KindOfResult alike(const Operand& a, const Operand& b, const Message& what) {
     if (!a.kind.same_dimension(b.kind)) return refused(both(a, b) + ": " + what);
     return {a.kind.any ? b.kind : a.kind};
 }
 
-/// Likewise, and with the same zero of temperature.
+/// Kind of two operands that must be alike and have the same zero of temperature.
 KindOfResult alike_to_the_zero(const Operand& a, const Operand& b, const Message& what) {
     KindOfResult result = alike(a, b, what);
     if (!result.objection.empty()) return result;
@@ -86,7 +86,7 @@ double as_factor(const Kind& kind) {
 
 double readings_of(Operation operation, const Operand& a, const Operand& b, const Kind& result) {
     double power = 0.0;
-    if (result.any || result.zeros) return 0.0;  // what is known of its zeros says all
+    if (result.any || result.zeros) return 0.0;  // its zeros say all that is known of it
     if (operation == O::multiply) power = as_factor(a.kind) + as_factor(b.kind);
     if (operation == O::divide) power = as_factor(a.kind) - as_factor(b.kind);
     if (operation == O::power && b.constant) power = as_factor(a.kind) * *b.constant;

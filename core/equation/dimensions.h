@@ -11,20 +11,20 @@
 
 namespace covaria::equation {
 
-/// How often the zero of the Celsius scale is in a value: 1 in a temperature stated in degC, 0 in the
+/// Number of times the zero of the Celsius scale is in a value: 1 in a temperature stated in degC, 0 in the
 /// difference of two. A sum of two temperatures has two zeros and no meaning, until it is halved.
 struct CelsiusZeros {
     double count = 0.0;
     bool of_a_sum = false;  ///< such temperatures have been added
     bool is_meaningful() const;
-    bool is_reading() const;     ///< one
-    bool is_difference() const;  ///< none
+    bool is_reading() const;     ///< one zero
+    bool is_difference() const;  ///< no zero
     bool operator==(const CelsiusZeros&) const = default;
 };
 
-/// Of a value inside an equation: a number with a dimension, or a condition (true or false).
+/// Kind of a value inside an equation: a number with a dimension, or a condition (true or false).
 struct Kind {
-    std::array<double, 8> exponents{};  ///< as in covaria::Dimension
+    std::array<double, 8> exponents{};  ///< exponents as in covaria::Dimension
     bool condition = false;
     bool any = false;                        ///< the literal 0 fits every dimension
     std::optional<CelsiusZeros> zeros = {};  ///< empty: not known (in K), or no temperature
@@ -49,13 +49,13 @@ struct Kind {
 
 /// The coherent SI unit: "m", "N", "kg*m^2"; empty if an exponent is not whole.
 std::string coherent_unit(const Kind& kind);
-/// For messages: "m", "a pure number", "a condition".
+/// Words for messages: "m", "a pure number", "a condition".
 Message kind_words(const Kind& kind);
 
 struct Operand {
     Kind kind;
     std::optional<double> constant;  ///< its value, if it does not depend on quantities
-    Message text;                    ///< for messages: 'theta'
+    Message text;                    ///< its text in messages: 'theta'
 };
 
 /// Whether angles in this unit are on a circle: those in rev are counts of turns.

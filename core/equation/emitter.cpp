@@ -51,7 +51,7 @@ int Emitter::operation(Operation operation, int a, int b, int c, const Kind& kin
     const auto known_value = [&](int at) { return at < 0 ? std::optional<double>(0.0) : this->value(at); };
     if (known_value(a) && known_value(b) && known_value(c))
         return constant(evaluated(operation, *known_value(a), *known_value(b), *known_value(c), value), kind);
-    // Of an 'if' that is decided the other branch plays no part.
+    // The other branch of a decided 'if' plays no part.
     if (operation == Operation::select && known_value(a)) return *known_value(a) != 0.0 ? b : c;
     const Key key{operation, a, b, c, value};
     if (const auto found = known_.find(key); found != known_.end()) return found->second;

@@ -23,7 +23,7 @@ public:
     /// a^b with the exponent as cheap and exact as it can be.
     int power(int a, int b, const Kind& kind = {});
 
-    /// Of the instructions that follow.
+    /// Sets the place of the instructions that follow.
     void set_place(const Place& place) { place_ = place; }
 
     const Kind& kind(int at) const { return kinds_[static_cast<std::size_t>(at)]; }
@@ -33,7 +33,7 @@ public:
     /// unknowns. `end_system` returns the index of the first of them.
     void begin_system();
     void end_system(NewtonSystem system);
-    /// To be called once, behind the last operation.
+    /// Ends the program; to be called once, behind the last operation.
     void finish();
 
 private:

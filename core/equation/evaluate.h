@@ -6,7 +6,7 @@
 
 namespace covaria::equation {
 
-/// One operation on numbers.
+/// Result of one operation on numbers.
 double evaluated(Operation operation, double a, double b, double c, double value);
 
 /// Registers of `width` numbers each: register r is registers[r * width] ... The inputs and constants must be

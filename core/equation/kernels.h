@@ -85,7 +85,7 @@ constexpr std::array<Kernel<Real>, sizeof...(F)> kernels_of() {
 
 }  // namespace detail
 
-/// In the order of `Operation`; the four that compute nothing first.
+/// Kernel of an operation, from a table in the order of `Operation`; the four that compute nothing first.
 template <class Real>
 Kernel<Real> kernel(Operation operation) {
     using namespace detail;

@@ -57,7 +57,7 @@ private:
     Real& step_of(std::size_t k, std::size_t i) { return scratch(n() + k, i); }
     Real& norm(std::size_t i) { return scratch(2 * n(), i); }
     Real& fraction(std::size_t i) { return scratch(2 * n() + 1, i); }
-    Real& small_steps(std::size_t i) { return scratch(2 * n() + 2, i); }  ///< in a row; two end the search
+    Real& small_steps(std::size_t i) { return scratch(2 * n() + 2, i); }  ///< in a row: two end the search
     Real& halvings(std::size_t i) { return scratch(2 * n() + 3, i); }
 
     void start(std::size_t i) {

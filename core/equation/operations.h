@@ -1,4 +1,4 @@
-// What equations are made of: operations and functions, with their names and numbers of arguments.
+// The operations and functions of equations, with their names and numbers of arguments.
 #pragma once
 
 #include <cstdint>
@@ -54,9 +54,9 @@ enum class Operation : std::uint8_t {
     hypotenuse,
     minimum,
     maximum,
-    // Of complex numbers, which are gone before anything is compiled (complex_numbers.h).
-    complex_number,  ///< of real and imaginary part
-    polar_number,    ///< of modulus and argument
+    // Operations on complex numbers, which are gone before anything is compiled (complex_numbers.h).
+    complex_number,  ///< from real and imaginary part
+    polar_number,    ///< from modulus and argument
     real_part,
     imaginary_part,
     conjugate,

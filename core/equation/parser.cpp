@@ -38,7 +38,7 @@ Message shown(const Token& token) {
     }
 }
 
-/// Where the parser is in the tokens, and whether the statement there is given up.
+/// Position of the parser in the tokens, and whether the statement there is given up.
 class TokenCursor {
 public:
     TokenCursor(std::vector<Token> tokens, TextProblems& problems)
@@ -103,7 +103,7 @@ Message wrong_count(const FunctionInfo& f, std::size_t count) {
                : tell<"%1 needs %2 to %3 arguments; here it has %4">(name, f.fewest, f.most, count);
 }
 
-/// One expression; its nodes are put behind those that are there. Returns its root, or `nothing`.
+/// Parser of an expression, whose nodes are put behind those there. Returns its root, or `nothing`.
 class ExpressionParser {
 public:
     ExpressionParser(TokenCursor& in, std::vector<Node>& nodes) : in_(in), nodes_(nodes) {}

@@ -17,19 +17,19 @@
 
 namespace covaria::equation {
 
-/// That are solved together: a step of Newton's method takes a third of the cube of their number in each
-/// trial, of 40 some 20 microseconds.
+/// Most unknowns that are solved together: a step of Newton's method takes a third of the cube of their
+/// number in each trial, 20 microseconds for 40.
 inline constexpr std::size_t most_unknowns = 40;
 
-/// Of an expression, after its operands: lists of nodes need no recursion to be walked.
+/// A node of an expression, after its operands: lists of nodes need no recursion to be walked.
 struct Node {
     Operation operation = Operation::constant;
     int a = -1, b = -1, c = -1;  ///< operands: indices of nodes
-    double value = 0.0;          ///< of a constant, SI; n of an integer power
-    Unit unit = {};              ///< of a constant, as written
+    double value = 0.0;          ///< value of a constant, SI; n of an integer power
+    Unit unit = {};              ///< unit of a constant, as written
     std::string text = {};       ///< name of a symbol; digits of a constant
-    Place place = {};            ///< of the whole expression
-    Place sign = {};             ///< of the operator or the function's name
+    Place place = {};            ///< place of the whole expression
+    Place sign = {};             ///< place of the operator or the function's name
 };
 
 struct Definition {
@@ -63,7 +63,7 @@ ParsedText parse(std::string_view text, TextProblems& problems);
 
 struct SymbolUse {
     std::string name;
-    Place place;  ///< of the first use
+    Place place;  ///< place of the first use
 };
 /// Names that are used and not defined, in order of appearance.
 std::vector<SymbolUse> free_symbols(const ParsedText& parsed);

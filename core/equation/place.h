@@ -11,19 +11,19 @@ namespace covaria::equation {
 
 /// A part of one line. Columns count characters, not bytes.
 struct Place {
-    std::size_t line = 1;    ///< from 1
-    std::size_t column = 1;  ///< from 1
+    std::size_t line = 1;    ///< counts from 1
+    std::size_t column = 1;  ///< counts from 1
     std::size_t length = 1;  ///< characters; 0 = behind the last one
 };
 
-/// From the begin of `first` to the end of `last`, if both are on one line; else `first`.
+/// Place from the begin of `first` to the end of `last`, if both are on one line; else `first`.
 Place joined(const Place& first, const Place& last);
 
 struct TextProblem {
     Place place;
     Message message;  ///< without the place
-    /// Where it is about temperatures in degC of one name: how the text has them ("t"), and each of their
-    /// places.
+    /// Text of the name ("t") whose temperatures in degC the problem is about, and each of their places;
+    /// empty: it is about something else.
     std::string reading = {};
     std::vector<Place> readings = {};
 };

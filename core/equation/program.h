@@ -52,7 +52,7 @@ struct Program {
     std::vector<Constant> constants;
     std::vector<Input> inputs;
     std::vector<Instruction> instructions;
-    std::vector<Place> places;  ///< of the instructions, in the text
+    std::vector<Place> places;  ///< place of each instruction in the text
     std::vector<NewtonSystem> systems;
     std::vector<Step> steps;
     std::vector<int> outputs;  ///< registers
@@ -71,7 +71,7 @@ struct WantedOutput {
 };
 
 struct CompiledOutput {
-    Unit unit = {};  ///< as wanted, else of the first quantity of that dimension, else coherent
+    Unit unit = {};  ///< the wanted one, else that of the first quantity of that dimension, else coherent
     TemperatureKind temperature = TemperatureKind::by_unit;
     bool on_circle = false;  ///< an angle that is the same after a full turn
 };

@@ -82,7 +82,7 @@ inline Dual general_power(const Dual& x, const Dual& p) {
     return is_constant(p) ? pow(x, p.value()) : pow(x, p);
 }
 
-/// One where true, zero elsewhere: how conditions are kept in registers.
+/// Value of a condition as registers keep it: one where true, zero elsewhere.
 template <class Real, class Mask>
 Real truth(const Mask& mask) {
     using namespace real_functions;

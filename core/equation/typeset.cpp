@@ -1,4 +1,4 @@
-// From nodes to formulas.
+// Formulas made from nodes.
 #include "core/equation/typeset.h"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ using K = Formula::Kind;
 
 constexpr std::size_t most_nodes = 400;  // of one statement; deeper trees are no formula that people read
 
-/// How tightly the outermost operation binds.
+/// Strength with which the outermost operation binds.
 enum Binding { loose, comparing, adding, multiplying, signing, raising, tight };
 
 struct Built {
@@ -40,7 +40,7 @@ Formula two(K kind, Formula first, Formula second) {
     return f;
 }
 
-/// In parentheses where it binds less than `needed`.
+/// The formula, in parentheses where it binds less than `needed`.
 Formula bound(Built built, Binding needed) {
     if (built.binding >= needed) return std::move(built.formula);
     return fence(std::move(built.formula));

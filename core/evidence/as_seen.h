@@ -14,7 +14,7 @@ enum class UncertaintiesFrom {
     seen,        ///< the stated ones times what the residuals see of each figure
 };
 
-/// Of one figure; infinite degrees of freedom: it stays as stated.
+/// Factor taken for the u of one figure; infinite degrees of freedom: it stays as stated.
 struct TakenFactor {
     double factor = 1.0;
     double degrees_of_freedom = std::numeric_limits<double>::infinity();
@@ -22,13 +22,13 @@ struct TakenFactor {
 };
 
 struct AsSeen {
-    std::vector<TakenFactor> factors = {};  ///< of each figure
-    Message kept = {};                      ///< what stays as stated, and why; empty: nothing does
+    std::vector<TakenFactor> factors = {};  ///< one for each figure
+    Message kept = {};                      ///< says what stays as stated, and why; empty: nothing does
     bool has_any() const;
 };
 
-/// One factor has the degrees of freedom of all figures together, however few; of figures by themselves only
-/// those are taken that `is_known` says. Readings that rest on no figure stay as stated.
+/// Takes factors from the residuals. One for all has the degrees of freedom of all figures together, however
+/// few; of separate ones only those that `is_known` allows. Readings without a figure stay as stated.
 AsSeen as_seen(const RedundantReadings& readings, UncertaintiesFrom from);
 
 }  // namespace covaria::evidence

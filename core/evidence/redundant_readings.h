@@ -17,10 +17,10 @@ namespace covaria::evidence {
 /// A standard uncertainty that a project states, for one reading or for many of one kind.
 struct StatedFigure {
     Message name = {};        ///< "slope distances of TS1"
-    Unit unit = {};           ///< it is shown in this one
-    double least = 0.0;       ///< the smallest standard uncertainty of a reading that rests on it, SI
-    double most = 0.0;        ///< the largest
-    std::size_t count = 0;    ///< of readings
+    Unit unit = {};           ///< unit in which it is shown
+    double least = 0.0;       ///< smallest standard uncertainty of its readings, SI
+    double most = 0.0;        ///< largest of them
+    std::size_t count = 0;    ///< number of its readings
     std::string source = {};  ///< place in the set-up, where it or the first of its readings stands
 };
 
@@ -45,24 +45,24 @@ private:
     std::shared_ptr<Place> place_;
 };
 
-/// At the least sum of squares with the uncertainties that are stated, about which the readings count as
-/// linear in their unknowns.
+/// Readings at the least sum of squares with the stated uncertainties, about which they count as linear in
+/// their unknowns.
 struct RedundantReadings {
     static constexpr std::size_t no_figure = static_cast<std::size_t>(-1);
 
     adjustment::SparseRows design = {};  ///< readings x unknowns
-    /// As `adjustment::whitening`; none of its blocks joins figures. Empty: readings share what makes them
-    /// uncertain, and `shares` says so.
+    /// Whitening as `adjustment::whitening`; no block joins figures. Empty: readings share sources of
+    /// uncertainty, and `shares` says which.
     adjustment::SparseRows whitening = {};
     Eigen::VectorXd residuals = {};           ///< reading less adjusted reading, SI
     std::vector<std::size_t> datum = {};      ///< unknowns
-    std::vector<std::size_t> figure_of = {};  ///< of each reading, or `no_figure`: its u is not asked about
+    std::vector<std::size_t> figure_of = {};  ///< one for each reading; `no_figure`: its u is not asked about
     /// A matrix for each figure, readings x components of one standard uncertainty: its product with its
     /// transpose is the figure's part of the covariance.
     std::vector<Eigen::MatrixXd> shares = {};
-    Eigen::MatrixXd others = {};  ///< the same of what is not asked about
+    Eigen::MatrixXd others = {};  ///< share of what is not asked about
     std::vector<StatedFigure> figures = {};
-    std::vector<Message> names = {};  ///< of the readings
+    std::vector<Message> names = {};  ///< names of the readings
     std::vector<double> w = {};  ///< standardised residuals as stated; NaN where nothing controls a reading
     std::vector<std::size_t> measurands = {};  ///< unknowns whose mean u says what follows
     Unit unit_of_measurands = {};

@@ -45,8 +45,8 @@ public:
     virtual int degrees_of_freedom() const = 0;
 };
 
-/// Each reading has the uncertainty of one figure: in readings of standard uncertainty one M is the residual
-/// projector P = I - H, and what belongs to a figure is a part of its rows.
+/// Weighing of readings with one figure each: in readings of standard uncertainty one, M is the residual
+/// projector P = I - H, and a figure's part of it is some of its rows.
 class WeighingApart : public Weighing {
 public:
     explicit WeighingApart(const RedundantReadings& readings)
@@ -149,7 +149,7 @@ public:
 private:
     struct Weights {
         Eigen::MatrixXd residual;   ///< M
-        Eigen::MatrixXd cofactors;  ///< of the unknowns
+        Eigen::MatrixXd cofactors;  ///< cofactors of the unknowns
     };
 
     std::optional<Weights> weights_of(const Eigen::VectorXd& square) const {
@@ -271,7 +271,7 @@ private:
         const Eigen::MatrixXd N = 0.5 * sums_.squares(asked, asked);
         joined = join(N, asked);
         if (joined) return true;
-        // What is held counts with the variance that it has.
+        // Components that are held count with the variance that they have.
         Eigen::VectorXd l = 0.5 * sums_.residuals(asked);
         for (std::size_t a = 0; a < asked.size(); ++a)
             l[static_cast<Eigen::Index>(a)] -= 0.5 * held_share(asked[a]);
@@ -324,7 +324,7 @@ private:
 
     const Weighing& weighing_;
     std::vector<std::size_t> of_figure_;  ///< class of each figure
-    std::size_t count_ = 0;               ///< of classes
+    std::size_t count_ = 0;               ///< number of classes
     std::vector<State> state_;
     Eigen::VectorXd square_, u_square_;
     Sums sums_;
@@ -362,7 +362,7 @@ void describe(const Components& components, const Weighing& weighing, double lev
     }
 }
 
-/// What the residuals say without a look at figures.
+/// The global test of the residuals, without a look at figures.
 Seen test_of(const Weighing& stated, double level) {
     Seen seen;
     seen.degrees_of_freedom = stated.degrees_of_freedom();

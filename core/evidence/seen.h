@@ -40,7 +40,7 @@ struct SeenFigure {
 inline bool is_contradicted(const SeenFigure& figure) {
     return figure.verdict == Verdict::larger;
 }
-/// It may stand in the place of the stated one.
+/// Whether the seen figure may stand in the place of the stated one.
 inline bool is_known(const SeenFigure& figure) {
     return figure.verdict != Verdict::too_little && !figure.clamped;
 }
@@ -62,10 +62,10 @@ struct Seen {
 /// Figures that N cannot tell apart get one factor. Without redundancy, or with more readings than
 /// `most_readings`, nothing is found.
 Seen see(const RedundantReadings& readings, double level = 0.05);
-/// At the level of 5 %, computed when it is first asked for: report, tables and results.json ask for the
-/// same.
+/// The result at the level of 5 %, computed when it is first asked for, as report, tables and results.json
+/// ask for the same.
 const Seen& seen_of(const RedundantReadings& readings);
-/// Without a look at figures, for any number of readings.
+/// The test of the residuals without a look at figures, for any number of readings.
 Seen global_test(const RedundantReadings& readings, double level = 0.05);
 
 }  // namespace covaria::evidence

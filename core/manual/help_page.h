@@ -21,10 +21,10 @@ struct HelpPage {
 /// Error {not_found}: there is none.
 Result<HelpPage> shipped_page(const std::string& id, const DocumentLanguage& in = {});
 
-/// In the order of the manual. Error{not_found}: the file of a page is missing.
+/// All pages in the order of the manual. Error{not_found}: the file of a page is missing.
 Result<std::vector<HelpPage>> help_pages(const DocumentLanguage& in = {});
 
-/// Where the help of a field, or of a column of a table, is on a page.
+/// Anchor on a page of the help of a field, or of a column of a table.
 std::string field_anchor(const std::string& page, const std::string& field, const std::string& column = {});
 
 }  // namespace covaria

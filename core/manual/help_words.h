@@ -1,5 +1,5 @@
-// What pages of help say beside their files and the registries, in English; internal to core/manual and to
-// the list of texts.
+// Words of the pages of help beside their files and the registries, in English; internal to core/manual and
+// to the list of texts.
 #pragma once
 
 #include "core/text/document_language.h"
@@ -16,7 +16,7 @@ inline const Phrase about_certificate{
     "What a calibration certificate says beside its results, with the clause of ISO/IEC 17025:2017 that asks "
     "for it."};
 
-// What a field takes
+// Words about the values of a field
 inline const Phrase optional{"optional"};
 inline const Phrase default_value{"default %1"};
 inline const Phrase choices{"Choices: "};

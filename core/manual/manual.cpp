@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// In the source tree beside projects and resources, of an installed program in share/doc/covaria.
+/// Folder of the guides: beside projects and resources in the source tree, else share/doc/covaria.
 fs::path guides_directory() {
     std::error_code ignored;
     const fs::path here = data_directory() / "docs";
@@ -28,7 +28,7 @@ public:
         blocks.push_back(HeadingBlock{1, title, "part-" + anchor_words(title), true});
     }
 
-    /// One level lower: its title is one of the part.
+    /// Adds a page one level lower: its title is one of the part.
     void page(const HelpPage& page) { append(page.blocks); }
 
     Result<void> guide(const std::string& name) {
@@ -74,7 +74,7 @@ private:
         }
     }
 
-    /// Of an installed program the pictures of examples are not beside the guides.
+    /// Finds a picture: those of examples are not beside the guides of an installed program.
     static Result<void> find(PictureBlock& picture) {
         std::error_code ignored;
         const std::string path = picture.file.generic_string();

@@ -15,7 +15,7 @@ namespace covaria {
 struct CommandWords {
     std::string name, description;
     std::vector<std::pair<std::string, std::string>> options;
-    std::string examples = {};  ///< as --help shows them
+    std::string examples = {};  ///< examples as --help shows them
 };
 
 /// Error{not_found}: a page or a picture is missing.

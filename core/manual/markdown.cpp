@@ -19,7 +19,7 @@ std::string trimmed(const std::string& text) {
     return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(" \t\r") + 1 - first);
 }
 
-/// Of "* ", "- ", "12. " at the beginning; 0: no item.
+/// Length of the mark of an item, "* ", "- " or "12. ", at the beginning; 0: no item.
 std::size_t item_mark(const std::string& line) {
     if (line.starts_with("* ") || line.starts_with("- ")) return 2;
     const std::size_t digits = std::min(line.find_first_not_of("0123456789"), line.size());

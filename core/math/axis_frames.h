@@ -17,12 +17,12 @@ struct AxisLine {
 
 enum class AxisPair { skew, parallel, opposite };
 
-/// What is decided once, from the estimates and the nominal arm.
+/// Choices made once, from the estimates and the nominal arm.
 struct AxisStructure {
     std::vector<bool> parallel;  ///< axis i + 1 and axis i + 2 are (nearly) parallel, one for each pair
     std::vector<bool> opposite;  ///< they point against each other: alpha is next to a half turn if parallel
     std::vector<double> side;    ///< x_i = side z_{i-1} × z_i, or along side (O_i − O_{i-1})
-    double theta_1 = 0.0, d_1 = 0.0;  ///< by definition: they place the base frame on axis 1
+    double theta_1 = 0.0, d_1 = 0.0;  ///< given by definition: they place the base frame on axis 1
 
     AxisPair pair(std::size_t i) const {
         if (!parallel[i]) return AxisPair::skew;
@@ -51,7 +51,7 @@ Vector3<Real> foot(const AxisLine<Real>& a, const AxisLine<Real>& b) {
     return b.point + b.direction * t;
 }
 
-/// Where a line meets the plane through o with normal n.
+/// Point in which a line meets the plane through o with normal n.
 template <class Real>
 Vector3<Real> meets(const AxisLine<Real>& line, const Vector3<Real>& o, const Vector3<Real>& n) {
     const Vector3<Real> w = o - line.point;
@@ -103,8 +103,8 @@ void frames_from_axes(const AxisLine<Real>* axes, std::size_t n, const AxisStruc
     base.o = base.o - base.z * Real(structure.d_1);
 }
 
-/// Parameters that lead from frame i − 1 to frame i by Eq 5. Of parallel axes there are two sets, (theta,
-/// alpha, beta) and (theta + π, π − alpha, beta + π): the one with a small beta.
+/// Parameters that lead from frame i − 1 to frame i by Eq 5. Parallel axes have two sets, (theta, alpha,
+/// beta) and (theta + π, π − alpha, beta + π): it is the one with a small beta.
 template <class Real>
 JointValues<Real> parameters_between(const AxisFrame<Real>& a, const AxisFrame<Real>& b, AxisPair pair) {
     using namespace real_functions;

@@ -32,7 +32,7 @@ class SetApart {
 public:
     static constexpr std::size_t chunk = 256;  // small enough for the stack and the first-level cache
 
-    /// Those of p (of at most `chunk`) for which `apart(p[i])`.
+    /// Gathers the elements of p (of at most `chunk`) for which `apart(p[i])`.
     template <class Predicate>
     void gather(std::span<const double> p, Predicate&& apart) {
         for (std::size_t i = 0; i < p.size(); ++i) {  // without a branch: which ones, nobody can predict
@@ -48,7 +48,7 @@ public:
         for (std::size_t i = 0; i < count; ++i) x[places[i]] = values[i];
     }
 
-    std::array<double, chunk + 8> values;  // and what a vector writes too much
+    std::array<double, chunk + 8> values;  // 8 more, as a vector may write beyond the end
     std::array<std::uint32_t, chunk + 8> places;
     std::size_t count = 0;
 };

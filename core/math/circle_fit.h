@@ -115,7 +115,7 @@ struct Plane {
     }
 };
 
-/// One Gauss-Newton step of the geometric fit: sum (|p − c| − R)².
+/// Does one Gauss-Newton step of the geometric fit: sum (|p − c| − R)² becomes least.
 template <class Real, class Points>
 Vector3<Real> circle_step(const CircleStart& start, const Points& point, std::size_t n,
                           const Plane<Real>& plane, const Vector3<Real>& circle) {
@@ -171,12 +171,12 @@ SpaceCircle<Real> fit_circle(const CircleStart& start, const Points& point, std:
     return found;
 }
 
-/// What the points say about a start, in double.
+/// Shape of the points about a start, in double.
 struct CircleShape {
     CircleStart start;           ///< normal on the side from which the points run anticlockwise
     Eigen::Vector3d extents;     ///< root mean square along the principal axes, falling
     double arc = 0.0;            ///< angle from the first point to the last, signed by the order: > 0
-    std::vector<double> angles;  ///< of the points around the centre, from the first on
+    std::vector<double> angles;  ///< angles of the points around the centre, from the first on
 };
 /// Principal axes, algebraic circle, then the geometric fit. Needs three points or more.
 CircleShape circle_shape(std::span<const Eigen::Vector3d> points);

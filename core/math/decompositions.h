@@ -15,7 +15,7 @@ namespace covaria {
 template <class Derived>
 auto cholesky(const Eigen::MatrixBase<Derived>& matrix) {
     Eigen::LLT<typename Derived::PlainObject> factors(matrix);
-    // Of values that are no numbers it says nothing.
+    // info() says nothing about values that are no numbers.
     if (factors.info() != Eigen::Success || !factors.matrixLLT().allFinite())
         throw ImpossibleValue(
             "system of equations without a unique solution: its matrix is not positive definite (singular "

@@ -8,7 +8,7 @@
 
 namespace covaria {
 
-/// On which side of the x-axis the third point lies, which gives z its direction.
+/// Side of the x-axis on which the third point lies, which gives z its direction.
 enum class ThirdPoint { positive_y, negative_y };
 
 /// Axes by columns of the 3-2-1 frame (Porath et al., Eqs 9-16): x from q1 to q2; z normal to the plane of

@@ -83,7 +83,7 @@ void apply(DhConvention convention, const JointTransform<Real>& T, Vector3<Real>
     p[2] += T.d;
 }
 
-/// All three axes of a pose in the same way, without the translation.
+/// Applies the transform to all three axes of a pose, without the translation.
 template <class Real>
 void apply_to_axes(DhConvention convention, const JointTransform<Real>& T, Matrix3<Real>& R) {
     for (int k = 0; k < 3; ++k) {

@@ -23,7 +23,7 @@ SupportTriangle<Real> support_triangle(const Real& L12, const Real& L13, const R
     return {L12, L13 * cosine, L13 * sqrt(Real(Real(1.0) - cosine * cosine))};
 }
 
-/// What Eqs 1 and 2 need of a triangle, once for many points.
+/// Trilateration by one triangle of supports: what Eqs 1 and 2 need of it, once for many points.
 template <class Real>
 class Trilateration {
 public:
@@ -39,8 +39,8 @@ public:
         const Real y = (L1_squared - L3_squared + r3_squared_) * by_y3_ - skew_ * x;
         return {x, y, Real(0.0)};
     }
-    /// All three coordinates (Eqs 1 to 3) on the side of the plane that `side` names (1 or -1); false where
-    /// the lengths do not meet: the root of Eq 3 is negative.
+    /// Finds all three coordinates (Eqs 1 to 3) on the side of the plane that `side` names (1 or -1); false
+    /// where the lengths do not meet: the root of Eq 3 is negative.
     mask_of<Real> locate(const Real* lengths, double side, Vector3<Real>& p) const {
         using namespace real_functions;
         const Real L1_squared = lengths[0] * lengths[0];
@@ -71,7 +71,7 @@ Vector3<Real> solved_symmetric(const Matrix3<Real>& N, const Vector3<Real>& g) {
 /// step is in proportion to the residuals over the lengths (1e-5), so three leave rounding.
 inline constexpr int multilateration_steps = 3;
 
-/// One step from p on: minimises sum w (L - |p - support|)². With `free` = 2, z stays as it is.
+/// Does one step from p on: minimises sum w (L - |p - support|)². With `free` = 2, z stays as it is.
 template <class Real>
 void multilateration_step(std::span<const Vector3<Real>> supports, const Real* lengths, const double* weights,
                           int free, Vector3<Real>& p) {

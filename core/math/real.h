@@ -22,7 +22,7 @@ template <>
 struct MaskOf<Batch> {
     using type = xsimd::batch_bool<double>;
 };
-/// What a comparison of two `Real` gives: bool, or one bool per lane.
+/// Result of a comparison of two `Real`: bool, or one bool per lane.
 template <class Real>
 using mask_of = typename MaskOf<Real>::type;
 

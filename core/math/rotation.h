@@ -127,7 +127,7 @@ Vector3<Real> rotation_vector_from_rotation(const Matrix3<Real>& R) {
     using namespace real_functions;
     const std::array<Real, 4> q = quaternion_from_rotation(R);
     const Real n2 = q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
-    // For a small angle, 2 atan2(n, q0)/n = 2/q0 (1 - n2/(3 q0^2) ...); the other branch would divide by 0.
+    // A small angle needs 2 atan2(n, q0)/n = 2/q0 (1 - n2/(3 q0^2) ...); the other branch would divide by 0.
     const auto small = n2 < Real(1e-12);
     const Real n = sqrt(select(small, Real(1.0), n2));
     const Real series = Real(2.0) / q[0] * (Real(1.0) - n2 / (Real(3.0) * q[0] * q[0]));

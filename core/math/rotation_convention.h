@@ -1,4 +1,4 @@
-// How an orientation is stated in numbers: Euler angles, rotation vector, quaternion, as named data.
+// Ways to state an orientation in numbers: Euler angles, rotation vector, quaternion, as named data.
 #pragma once
 
 #include <span>
@@ -15,19 +15,19 @@ enum class RotationConvention { zyx, zyz, rotation_vector, quaternion };
 struct RotationCoordinate {
     std::string_view symbol;  ///< "alpha"
     std::string_view name;    ///< "rotation about x"
-    std::string_view unit;    ///< for display
+    std::string_view unit;    ///< unit for display
     bool periodic;            ///< an angle on the circle
 };
 
 struct RotationConventionInfo {
     RotationConvention convention;
-    std::string_view key;                             ///< in files: "zyx"
-    std::string_view title;                           ///< for people
+    std::string_view key;                             ///< name in files: "zyx"
+    std::string_view title;                           ///< name for people
     std::string_view equation;                        ///< R as a product, or the meaning of the numbers
     std::span<const RotationCoordinate> coordinates;  ///< three, or four of a quaternion
 };
 
-/// In the order of RotationConvention.
+/// All conventions, in the order of RotationConvention.
 std::span<const RotationConventionInfo> rotation_conventions();
 const RotationConventionInfo& rotation_convention(RotationConvention convention);
 /// The convention with this key; terminates if there is none (keys come from a checked choice).

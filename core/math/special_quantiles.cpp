@@ -81,7 +81,7 @@ Result<double> coverage_factor(double probability, double nu) {
         return fail(ErrorCode::bad_input, tell<"the coverage probability must lie between 0 and 1.">());
     if (!(nu > 0.0))
         return fail(ErrorCode::bad_input, tell<"the effective degrees of freedom must be greater than 0.">());
-    // From the lower tail: 1 - probability is exact near 1, (1 + probability)/2 is not.
+    // The lower tail is taken: 1 - probability is exact near 1, (1 + probability)/2 is not.
     return -t_quantile(0.5 * (1.0 - probability), nu);
 }
 

@@ -34,7 +34,7 @@ public:
     virtual std::vector<Table> evaluation() const { return {}; }
     /// The same as charts; ids are unique in the asset.
     virtual std::vector<PlotSpecification> figures() const { return {}; }
-    /// What to draw when the asset itself is looked at.
+    /// Layout to draw when the asset itself is looked at.
     virtual Layout layout() const { return {}; }
 
 protected:
@@ -68,7 +68,7 @@ struct Reference {
 };
 
 struct AssetDescriptor {
-    std::string kind;  ///< in files: "artefact-2d"
+    std::string kind;  ///< its name in files: "artefact-2d"
     std::string title;
     AssetCategory category = AssetCategory::artefact;
     std::string summary;
@@ -96,7 +96,7 @@ public:
         return it == entries_.end() ? nullptr : &it->second;
     }
     const std::map<std::string, Entry>& entries() const { return entries_; }
-    /// Where the files are that set-ups name.
+    /// Folder of the files that set-ups name.
     const std::filesystem::path& folder() const { return folder_; }
     void set_folder(std::filesystem::path folder) { folder_ = std::move(folder); }
 

@@ -1,4 +1,4 @@
-// What an asset can do for a model: an interface of its own, found by its type and listed nowhere.
+// Capability of an asset for a model: an interface of its own, found by its type and listed nowhere.
 #pragma once
 
 namespace covaria {

@@ -31,7 +31,7 @@ public:
 private:
     InputSet& inputs() { return merged_.inputs; }
     bool is_last(std::size_t p) const { return p + 1 == parts_.size(); }
-    /// Its name; with its id where two have one name.
+    /// Name of the part; with its id where another part has the same name.
     std::string title(std::size_t p) const {
         const std::string& name = parts_[p].name;
         if (name.empty()) return parts_[p].id;
@@ -61,7 +61,7 @@ private:
         return linked;
     }
 
-    /// All but those that only linked quantities are made of. A vector of random direction stays whole.
+    /// All components but those that only linked quantities use. A vector of random direction stays whole.
     static std::vector<bool> wanted_components(const InputSet& own, const std::vector<bool>& linked) {
         std::vector<bool> in_linked(own.components.size(), false), in_free = in_linked;
         for (std::size_t i = 0; i < own.quantities.size(); ++i)
@@ -157,8 +157,8 @@ private:
 
     const std::vector<ChainPart>& parts_;
     ChainInputs merged_;
-    std::map<std::string, std::size_t> component_;  ///< by identity
-    std::vector<std::size_t> place_;                ///< of the components of the part that is added
+    std::map<std::string, std::size_t> component_;  ///< components by identity
+    std::vector<std::size_t> place_;                ///< places of the components of the part being added
     std::set<std::string> ids_, symbols_;
     std::set<std::pair<std::size_t, std::size_t>> correlated_;
     std::set<std::size_t> in_vectors_;

@@ -11,14 +11,14 @@ namespace covaria {
 
 /// An input quantity of a model whose value is an output of a model before it in the chain.
 struct ModelLink {
-    std::size_t input = 0;   ///< of the part that has the link
-    std::size_t part = 0;    ///< upstream
-    std::size_t output = 0;  ///< of that part
+    std::size_t input = 0;   ///< input of the part that has the link
+    std::size_t part = 0;    ///< number of the part upstream
+    std::size_t output = 0;  ///< output of that part
 };
 
-/// One model of a chain, with its inputs as an analysis states them.
+/// A model of a chain, with its inputs as an analysis states them.
 struct ChainPart {
-    std::string id, name;  ///< of the analysis
+    std::string id, name;  ///< id and name of the analysis
     std::shared_ptr<const MeasurementModel> model;
     InputSet inputs;
     std::vector<ModelLink> links = {};
@@ -33,8 +33,9 @@ struct ChainInputs {
     std::vector<Message> kept_apart;  ///< names of components
 };
 
-/// Those of the last part come first and keep ids and symbols; those of an upstream part get its id. What
-/// only linked quantities are made of is left out. Every component is tagged with its analysis.
+/// The inputs of a chain. Those of the last part come first and keep ids and symbols; those of an upstream
+/// part get its id. Components of linked quantities alone are left out; all others are tagged with their
+/// analysis.
 ChainInputs chain_inputs(const std::vector<ChainPart>& parts);
 
 /// y = f(x) of the last part, where linked inputs are outputs of parts before it. In every trial each part is
@@ -51,11 +52,11 @@ public:
     bool evaluate(std::span<const double> x, std::span<double> y) const override;
     void evaluate_block(const TrialBlock& block) const override;
     bool jacobian(std::span<const double> x, Eigen::MatrixXd& jacobian) const override;
-    /// By the chain rule, row by row.
+    /// The sensitivities by the chain rule, row by row.
     bool sensitivities(std::span<const double> x, SensitivityRows& rows) const override;
     Layout layout(std::span<const double> x) const override;
     std::vector<ModelEquation> formulas() const override { return last().model->formulas(); }
-    /// Of its set-up as it is stated, which the first table says.
+    /// Tables of the last part's set-up as it is stated, which the first table says.
     std::vector<Table> evaluation() const override;
     std::vector<PlotSpecification> figures() const override { return last().model->figures(); }
 
@@ -63,7 +64,7 @@ public:
     const std::vector<Message>& kept_apart() const { return merged_.kept_apart; }
 
 private:
-    /// Where an input of a part is found: a quantity of the chain, or a row of upstream outputs.
+    /// Place of an input of a part: a quantity of the chain, or a row of upstream outputs.
     struct Place {
         bool linked = false;
         std::size_t index = 0;
@@ -81,7 +82,7 @@ private:
     void find_used_outputs();
     /// A point of the last part's layout, with its inputs as they are in the chain.
     void place_in_chain(LayoutPoint& point) const;
-    /// Of the last part, those that its set-up states otherwise than they are: `x` are its inputs.
+    /// Number of links of the last part that its set-up states with another value; `x` are its inputs.
     std::size_t count_restated_links(std::span<const double> x) const;
     void gather(std::size_t part, std::span<const double> x, std::span<const double> rows,
                 std::span<double> to) const;
@@ -96,11 +97,11 @@ private:
     std::vector<ChainPart> parts_;
     ChainInputs merged_;
     std::vector<std::vector<Place>> places_;     ///< [part][input]
-    std::vector<std::size_t> first_row_;         ///< of the outputs of each part among the rows
+    std::vector<std::size_t> first_row_;         ///< first row of the outputs of each part
     std::vector<std::vector<UsedOutput>> used_;  ///< [part]
     std::size_t rows_ = 0;                       ///< outputs of all parts but the last
-    std::size_t most_inputs_ = 0;                ///< of a part
-    std::size_t restated_links_ = 0;             ///< what the evaluation of the set-up does not show
+    std::size_t most_inputs_ = 0;                ///< largest number of inputs of a part
+    std::size_t restated_links_ = 0;             ///< links that the evaluation of the set-up does not show
 };
 
 /// The linked inputs of the last part as a model of their own: the same symbols as outputs.

@@ -20,7 +20,7 @@ class Inputs;
 template <class Real>
 class Outputs;
 
-/// One trial.
+/// The inputs of one trial.
 template <>
 class Inputs<double> {
 public:

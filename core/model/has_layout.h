@@ -5,7 +5,7 @@
 
 namespace covaria {
 
-/// Whether the model's layout at the estimates of its inputs has anything in it.
+/// Whether the model's layout at the estimates of its inputs contains anything.
 bool has_layout(const MeasurementModel& model, const InputSet& inputs);
 
 }  // namespace covaria

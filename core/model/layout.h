@@ -1,4 +1,4 @@
-// Where things are, in metrology words: frames, points, bodies, links, sight lines. No colours, no drawing.
+// Layout of things, in metrology words: frames, points, bodies, links, sight lines. No colours, no drawing.
 //
 // Items carry `group` (the output group they belong to: "pose 7"; empty = belongs to all) and `source`, the
 // JSON pointer of the set-up field they come from (relative to the set-up), so that picking or dragging them
@@ -18,12 +18,12 @@
 
 namespace covaria {
 
-/// Where in a set-up a position is written: a pose, or a row of a table with columns x, y, z.
+/// Place in a set-up where a position is written: a pose, or a row of a table with columns x, y, z.
 struct LayoutSource {
     std::string path = {};  ///< "/base_points/rows/1"; empty = not from one field
     bool draggable = false;
     Eigen::Isometry3d X_WS = Eigen::Isometry3d::Identity();  ///< frame in which the field gives the position
-    std::string asset = {};  ///< whose set-up it is: id of an asset; empty = of the model or asset itself
+    std::string asset = {};  ///< id of the asset whose set-up it is; empty = of the model or asset itself
 };
 
 struct LayoutFrame {
@@ -47,7 +47,7 @@ struct LayoutPoint {
     std::optional<std::array<std::size_t, 3>> outputs = {};
     Eigen::Matrix3d R_WQ =
         Eigen::Matrix3d::Identity();  ///< axes in which those three coordinates are expressed
-    /// In a chain, inputs that are taken from other analyses: the numbers of their links.
+    /// Numbers of the links, where the inputs are taken from other analyses of a chain.
     std::optional<std::array<std::size_t, 3>> links = {};
 };
 
@@ -71,7 +71,7 @@ struct LayoutBody {
     std::vector<Eigen::Vector3d> outline_W = {};  ///< polygon, in order; empty for glyphs
     double thickness = 0.0;                       ///< 0 = chosen by the picture
     Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
-    std::string glyph = {};  ///< for instruments: "total-station", "tracker", "camera", "distance-meter"
+    std::string glyph = {};  ///< kind of instrument: "total-station", "tracker", "camera", "distance-meter"
     Name group = {};
     LayoutSource source = {};
 };
@@ -102,7 +102,7 @@ struct LayoutMesh {
     MeshColour colour = MeshColour::grey;
     double opacity = 1.0;  ///< 0 ... 1
     LayoutSource source = {};
-    /// It looks the same: the same triangles are the same object.
+    /// Whether it looks the same: the same triangles are the same object.
     bool looks_like(const LayoutMesh& other) const;
 };
 
@@ -113,9 +113,9 @@ struct Layout {
     std::vector<LayoutBody> bodies;
     std::vector<LayoutVector> vectors;
     std::vector<LayoutMesh> meshes = {};
-    std::vector<Message> notes = {};  ///< what has to be said beside a picture of it
-    /// Where only some points name their quantities, because the uncertainty of all would hide the rest: how
-    /// many have one. 0: all that have one name them.
+    std::vector<Message> notes = {};  ///< sentences to be shown beside a picture of it
+    /// Number of points with an uncertainty, where only some of these name their quantities because all would
+    /// hide the rest. 0: all of them name their quantities.
     std::size_t uncertain_points = 0;
 };
 

@@ -51,7 +51,7 @@ private:
 }  // namespace
 
 void MeasurementModel::evaluate_block(const TrialBlock& block) const {
-    // One trial's row and column; kept per thread, so that the hot loop allocates nothing.
+    // Row and column of one trial; kept per thread, so that the hot loop allocates nothing.
     thread_local std::vector<double> x, y;
     x.resize(inputs().quantities.size());
     y.resize(outputs().size());

@@ -72,22 +72,22 @@ public:
     /// memory. Default: from `jacobian`.
     virtual bool sensitivities(std::span<const double> x, SensitivityRows& rows) const;
 
-    /// Where things are when the inputs are x, in metrology words; see layout.h.
+    /// Layout of things when the inputs are x, in metrology words; see layout.h.
     virtual Layout layout(std::span<const double> x) const = 0;
 
     /// The model's own equations, where they are not those of its descriptor.
     virtual std::vector<ModelEquation> formulas() const { return {}; }
 
-    /// What the model can say about its set-up beside the outputs, as tables (residuals, redundancy ...).
+    /// Tables about the set-up beside the outputs (residuals, redundancy ...).
     virtual std::vector<Table> evaluation() const { return {}; }
-    /// The same as charts; ids are unique in the model.
+    /// Charts of the same; ids are unique in the model.
     virtual std::vector<PlotSpecification> figures() const { return {}; }
 
-    /// Readings that are more than its unknowns need, which speak for or against what is stated of them.
+    /// Readings that are more than its unknowns need: evidence for or against what is stated of them.
     /// Null: it has none.
     virtual std::shared_ptr<const evidence::RedundantReadings> redundant_readings() const { return nullptr; }
 
-    /// What stands for an analysis of this model (`id`) where a set-up asks for an asset: its outputs as
+    /// The asset that stands for an analysis of this model (`id`) where a set-up asks for one: its outputs as
     /// points, or as a robot. Null: nothing does.
     virtual std::shared_ptr<const Asset> as_asset(const std::string& /*id*/) const { return nullptr; }
 

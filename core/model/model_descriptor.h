@@ -1,4 +1,4 @@
-// What the program knows about a kind of measurement model without having one.
+// Descriptor of a kind of measurement model: what the program knows without having a model.
 #pragma once
 
 #include <functional>
@@ -13,7 +13,7 @@
 namespace covaria {
 
 struct ModelDescriptor {
-    std::string id;  ///< in files: lower-case words joined by hyphens
+    std::string id;  ///< its name in files: lower-case words joined by hyphens
     std::string title;
     std::string summary;
     std::vector<Reference> references;
@@ -21,7 +21,7 @@ struct ModelDescriptor {
     std::vector<std::string> notes;  ///< deviations from the paper, conventions, limits of validity
     std::string help_page;           ///< file in resources/help
     std::string example;             ///< file in projects/
-    /// Where a reference asks for an asset with one of these, an analysis may stand: `as_asset`.
+    /// Capabilities of `as_asset`: an analysis may stand where a reference asks for an asset with one.
     std::vector<std::string> capabilities = {};
     std::string was_asset = {};  ///< the kind of asset that it was in project files of version 1
     SetupSchema schema;
@@ -30,7 +30,7 @@ struct ModelDescriptor {
     std::function<std::unique_ptr<MeasurementModel>(const SetupReader& setup, const AssetLibrary& assets,
                                                     Problems& problems)>
         create;
-    /// What the set-up implies and does not have yet (rows for the names in an equation), added to a copy;
+    /// Adds to a copy what the set-up implies and does not have yet (rows for the names in an equation);
     /// empty: nothing is ever implied.
     std::function<Setup(const Setup& setup)> completed = {};
 };

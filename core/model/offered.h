@@ -47,7 +47,7 @@ struct Bound<Offered<C>> {
         member.source = offers<C>(member.asset);
         if (!member.source) reading.problems.error(reading.place, lacking(member.name));
     }
-    /// What is said of an asset that does not offer it: C::lacking, where C has words of its own.
+    /// Words about an asset that does not offer it: C::lacking, where C has words of its own.
     static Message lacking(const std::string& name) {
         if constexpr (requires { C::lacking; })
             return in_quotes(name) + " " + Message::declared(C::lacking);

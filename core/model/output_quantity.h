@@ -1,4 +1,4 @@
-// What a measurement model computes.
+// Output quantities of a measurement model.
 #pragma once
 
 #include <string>
@@ -18,7 +18,7 @@ enum class OutputRole {
 struct OutputQuantity {
     std::string symbol = {};  ///< unique within its group: "x", "alpha"
     Message name = {};        ///< "x of the platform"
-    Unit unit = {};           ///< for display and results.json; values are SI
+    Unit unit = {};           ///< unit for display and results.json; values are SI
     Name group = {};          ///< "pose 7"; one joint coverage region per group of measurands
     OutputRole role = OutputRole::measurand;
     bool periodic = false;  ///< an angle on the circle (period 2 pi): unwrapped to the estimate

@@ -14,10 +14,10 @@ namespace covaria {
 /// A computation whose units are shared: an analysis, or one of its studies.
 struct UnitWork {
     std::string analysis, study;  ///< ids; the study's is empty for the trials of the analysis
-    std::string fingerprint;      ///< of everything that influences its numbers
+    std::string fingerprint;      ///< hash of everything that influences its numbers
     std::uint64_t units = 0;
-    /// Those that parts share, from the first: of an adaptive run as many as it is forecast to need. Whoever
-    /// merges computes what it needs beyond them.
+    /// Number of units that parts share, from the first: in an adaptive run as many as it should need.
+    /// Whoever merges computes what it needs beyond them.
     std::uint64_t shared = units;
 
     std::string name() const { return study.empty() ? analysis : analysis + "/" + study; }
@@ -27,10 +27,10 @@ struct UnitWork {
 struct PartSection {
     UnitWork work;
     UnitRange range;
-    std::vector<std::string> partials;  ///< of each unit of the range
+    std::vector<std::string> partials;  ///< partial result of each unit of the range
 };
 
-/// What was evaluated: the project file and the arguments of `covaria run` that change its results.
+/// Request for an evaluation: the project file and the arguments of `covaria run` that change its results.
 struct PartRequest {
     std::string project;  ///< absolute path
     std::vector<std::string> arguments;

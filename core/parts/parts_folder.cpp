@@ -10,7 +10,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// As many as there may be threads on either side of a border between parts.
+/// Most parts loaded: as many as there may be threads on either side of a border between parts.
 constexpr std::size_t most_loaded = 4;
 
 bool same_work(const UnitWork& a, const UnitWork& b) {

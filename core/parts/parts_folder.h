@@ -17,7 +17,7 @@ public:
 
     const std::filesystem::path& path() const { return path_; }
     bool empty() const { return entries_.empty(); }
-    /// Of the first part by name; there is one.
+    /// Request of the first part by name; there is one.
     const PartRequest& request() const { return request_; }
     /// Error: a part is of another state of this computation, or of another project.
     Result<void> check(const std::vector<UnitWork>& works) const;

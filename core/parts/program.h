@@ -1,4 +1,4 @@
-// Which program made a part: results are bit-equal only where the same program runs on the same instructions.
+// Program that made a part: results are bit-equal only where the same one runs on the same instructions.
 #pragma once
 
 #include <string>

@@ -88,7 +88,7 @@ std::string xmp_of(const PdfProperties& properties, const std::string& producer)
            "<?xpacket end=\"w\"?>\n";
 }
 
-/// As RFC 3066 writes it: "zh-CN".
+/// Code of a language as RFC 3066 writes it: "zh-CN".
 std::string language_tag(const std::string& code) {
     std::string tag = plain_text(code);
     std::replace(tag.begin(), tag.end(), '_', '-');
@@ -181,7 +181,7 @@ int hexadecimal(char c) {
                                   : -1;
 }
 
-/// Whether a name occurs, as it is or with its letters as #58.
+/// Whether a name occurs, plainly or with its letters as #58.
 bool has_name(std::string_view bytes, std::string_view name) {
     for (std::size_t at = bytes.find('/'); at != std::string_view::npos; at = bytes.find('/', at + 1)) {
         std::size_t here = at + 1, matched = 0;
@@ -201,7 +201,7 @@ bool has_name(std::string_view bytes, std::string_view name) {
     return false;
 }
 
-/// What is wrong with a PDF is an Error, never a line that the library prints.
+/// Opens a PDF; what is wrong with it is an Error, never a line that the library prints.
 void open(QPDF& pdf, const std::string& bytes) {
     static std::once_flag silent;
     std::call_once(silent, [] {

@@ -8,10 +8,10 @@
 
 namespace covaria {
 
-/// What an attached file is to the document.
+/// Relation of an attached file to the document.
 enum class AttachedAs {
-    source,       ///< what the document was made of
-    data,         ///< what it shows
+    source,       ///< the document was made of it
+    data,         ///< the document shows it
     alternative,  ///< the same for machines
 };
 
@@ -23,32 +23,32 @@ struct AttachedFile {
     AttachedAs as = AttachedAs::data;
 };
 
-/// What the document says of itself, in its properties and alike in its XMP metadata.
+/// Properties of the document, also in its XMP metadata.
 struct PdfProperties {
     std::string title, creator;
     std::string author = {};    ///< empty: nobody is named
-    std::string language = {};  ///< of its words: "de", "zh_CN"; empty: unknown
+    std::string language = {};  ///< language of its words: "de", "zh_CN"; empty: unknown
 };
 
 /// A height on a page.
 struct PdfPlace {
-    int page = 0;    ///< from 0
-    double y = 0.0;  ///< from the bottom of the page, in points
+    int page = 0;    ///< counts from 0
+    double y = 0.0;  ///< height above the bottom of the page, in points
 };
 struct PdfBookmark {
     std::string title;  ///< UTF-8
-    int level = 1;      ///< those of a higher level are within the last of a lower one
+    int level = 1;      ///< bookmarks of a higher level are within the last of a lower one
     PdfPlace to;
 };
 /// A rectangle that leads to another place of the document.
 struct PdfLink {
-    int page = 0;                                             ///< from 0
-    double left = 0.0, bottom = 0.0, right = 0.0, top = 0.0;  ///< in points
+    int page = 0;                                             ///< counts from 0
+    double left = 0.0, bottom = 0.0, right = 0.0, top = 0.0;  ///< edges in points
     PdfPlace to;
 };
 /// Ways to places of the document.
 struct PdfNavigation {
-    std::vector<PdfBookmark> bookmarks = {};  ///< in the order of the document
+    std::vector<PdfBookmark> bookmarks = {};  ///< bookmarks in the order of the document
     std::vector<PdfLink> links = {};
 };
 

@@ -21,7 +21,7 @@ QPDFObjectHandle decimal(double points) {
     return QPDFObjectHandle::newReal(points, 1);
 }
 
-/// At that height, at the size the reader has chosen.
+/// Destination at that height, at the size the reader has chosen.
 QPDFObjectHandle destination(const Pages& pages, const PdfPlace& place) {
     const QPDFObjectHandle zero = QPDFObjectHandle::newInteger(0);
     return QPDFObjectHandle::newArray(
@@ -40,7 +40,7 @@ std::vector<OutlineNode> outline_of(QPDF& pdf, const Pages& pages,
                                     const std::vector<PdfBookmark>& bookmarks) {
     const auto fresh = [&] { return pdf.makeIndirectObject(QPDFObjectHandle::newDictionary()); };
     std::vector<OutlineNode> nodes{{fresh()}};
-    std::vector<std::size_t> path{0};  // from the root to the last bookmark
+    std::vector<std::size_t> path{0};  // levels from the root to the last bookmark
     for (const PdfBookmark& bookmark : bookmarks) {
         while (path.size() > 1 && nodes[path.back()].level >= bookmark.level) path.pop_back();
         nodes.push_back({fresh(), bookmark.level});

@@ -14,10 +14,12 @@
 namespace covaria::detail {
 namespace {
 
-/// Of the variance: what is left is too little for a shift between both that is not smooth.
+/// Share of the variance of an output above which its linear part stands in for it: what is left is too
+/// little for a shift between both that is not smooth.
 constexpr double almost_all = 0.999;
 
-/// NaN: variances of the trials are not finite. Of thousands of outputs the greatest of their blocks.
+/// Greatest eigenvalue of the covariance; of thousands of outputs that of their blocks. NaN: variances of the
+/// trials are not finite.
 double greatest_eigenvalue(const OutputCovariance& covariance, const std::vector<std::size_t>& outputs) {
     double greatest = 0.0;
     for (std::size_t k = 0; k < outputs.size();) {
@@ -216,9 +218,9 @@ const RankWeights& BatchSummariser::weights_for(std::uint64_t rank, std::uint64_
     return known_weights_.emplace_back(KnownWeights{rank, count, weights_around(rank, count)}).around;
 }
 
-/// Of an output that its linear part almost is, the end is that of the part and the shift between both, which
-/// is a smooth function of the rank: the neighbours of a rank tell it as well, and better than that rank
-/// alone, at which other trials stand in the output and in the part.
+/// Adds the figures of a batch. Where the linear part is almost the output, an end is that of the part plus
+/// the shift between both, a smooth function of the rank: the neighbours of a rank tell the shift better
+/// than that rank alone, at which other trials stand in the output and in the part.
 void BatchSummariser::add_figures(const UnitStatistics& statistics, TrialBlockRunner& runner,
                                   BatchSummary& summary) {
     const Moments& moments = statistics.moments;
@@ -268,7 +270,7 @@ void AdaptiveProcedure::judge_by(const BatchEstimates* estimates) {
     watched_.figures_of_rows = estimates != nullptr;
 }
 
-/// Of the mean over the batches so far, or what BatchEstimates has to say.
+/// Standard error of the mean over the batches so far, or the one that BatchEstimates states.
 double AdaptiveProcedure::standard_error(std::size_t value) const {
     const auto h = static_cast<double>(batches_);
     const std::size_t i = value / WatchedStatistics::per_output;
@@ -316,7 +318,7 @@ bool AdaptiveProcedure::stable_after(const BatchSummary& summary, const Moments&
     }
     const auto h = static_cast<double>(++batches_);
     for (std::size_t i = 0; i < mean_.size(); ++i) {
-        // Of joint figures only: there is none where outputs depend on each other in the trials of a batch.
+        // A joint figure has no value where outputs depend on each other in the trials of a batch.
         if (i >= watched_.outputs.size() * WatchedStatistics::per_output && std::isnan(summary.values[i]))
             judged_[i] = false;
         const double difference = summary.values[i] - mean_[i];

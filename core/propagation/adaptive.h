@@ -19,14 +19,14 @@ namespace covaria::detail {
 /// The statistics of one batch whose scatter between batches is watched. Empty: too few trials had a value.
 struct BatchSummary {
     std::vector<double> values;
-    std::vector<BatchFigures> figures;  ///< of each row of the source, where they are asked for
+    std::vector<BatchFigures> figures;  ///< those of each row of the source, where they are asked for
     void write(ByteWriter& writer) const;
     void read(ByteReader& reader);
 };
 
-/// Of an output that a Student t of so few degrees of freedom reaches. With four or fewer its fourth moment
-/// does not exist: the scatter of u between batches says nothing, however many there are. With two or fewer
-/// there is no u, and the mean is no better. The ends of the interval remain.
+/// Whether batches tell the mean of an output that a Student t of so few degrees of freedom reaches. With
+/// four or fewer its fourth moment does not exist: the scatter of u between batches says nothing, however
+/// many there are. With two or fewer there is no u, and the mean is no better. The ends always remain.
 inline bool mean_settles(double degrees_of_freedom) {
     return degrees_of_freedom > 2.0;
 }
@@ -34,15 +34,15 @@ inline bool uncertainty_settles(double degrees_of_freedom) {
     return degrees_of_freedom > 4.0;
 }
 
-/// Which statistics are watched. One measurand: y, u, y_low, y_high (JCGM 101 7.9.4). Several: these of each
-/// measurand, the greatest eigenvalue of their correlation matrix and k_p of each group (JCGM 102 7.8.3).
+/// The statistics that are watched. One measurand: y, u, y_low, y_high (JCGM 101 7.9.4). Several: these of
+/// each, the greatest eigenvalue of their correlation matrix, k_p of each group (JCGM 102 7.8.3).
 struct WatchedStatistics {
     std::vector<std::size_t> outputs;
-    std::vector<Unit> units;              ///< of those outputs, as reported: they decide what a digit is
-    std::vector<CoverageRegion> regions;  ///< that have an ellipsoid
+    std::vector<Unit> units;              ///< units of the outputs as reported, which decide what a digit is
+    std::vector<CoverageRegion> regions;  ///< regions that have an ellipsoid
     double probability = 0.95;
-    std::vector<double> least_degrees_of_freedom;  ///< of each output
-    bool figures_of_rows = false;                  ///< of all outputs and linear parts, for BatchEstimates
+    std::vector<double> least_degrees_of_freedom;  ///< one for each output
+    bool figures_of_rows = false;                  ///< figures of all rows, for BatchEstimates
 
     bool several() const { return outputs.size() > 1; }
     static constexpr std::size_t per_output = 4;
@@ -50,7 +50,7 @@ struct WatchedStatistics {
     bool has_settling_uncertainty(std::size_t i) const {
         return uncertainty_settles(least_degrees_of_freedom[i]);
     }
-    /// Of the values of a BatchSummary.
+    /// Which values of a BatchSummary count for the decision.
     std::vector<bool> judged() const;
     std::size_t values_of_batch() const {
         return per_output * outputs.size() + (several() ? 1 : 0) + regions.size();
@@ -80,8 +80,8 @@ private:
     void gather_tail(const UnitStatistics& statistics, TrialBlockRunner& runner, std::size_t row,
                      std::uint64_t ranks, Side side);
     struct NearRank {
-        double value = 0.0;     ///< at the rank
-        double smoothed = 0.0;  ///< by the weights of the ranks around it
+        double value = 0.0;     ///< value at the rank
+        double smoothed = 0.0;  ///< mean by the weights of the ranks around it
     };
     NearRank near_rank(const UnitStatistics& statistics, TrialBlockRunner& runner, std::size_t row,
                        std::uint64_t rank, const RankWeights& around, Side side);
@@ -97,9 +97,9 @@ private:
     std::uint64_t first_ = 0, last_ = 0;
     bool keeping_ = false;
     std::vector<double> kept_;             ///< blocks of rows, as in the runner
-    std::vector<std::size_t> kept_valid_;  ///< of each block
+    std::vector<std::size_t> kept_valid_;  ///< trials with a value in each block
     std::vector<double> scratch_;
-    /// Of each output whose linear part explains almost all of it: the row of that part; otherwise 0.
+    /// Row of the linear part of each output that explains almost all of it; 0: there is none.
     std::vector<std::size_t> close_linear_;
     struct KnownWeights {
         std::uint64_t rank = 0, count = 0;
@@ -132,7 +132,7 @@ private:
     std::vector<bool> judged_;
     const BatchEstimates* estimates_ = nullptr;
     std::uint64_t batches_ = 0;
-    std::vector<double> mean_, squares_;  ///< of the summaries (Welford)
+    std::vector<double> mean_, squares_;  ///< Welford sums of the summaries
     bool stabilised_ = false;
 };
 

@@ -11,8 +11,8 @@
 namespace covaria::detail {
 namespace {
 
-constexpr double greatest_gain = 1e12;             // of linear models, where only rounding is left
-constexpr double beyond_two = 0.0227501319481792;  // of a normal distribution
+constexpr double greatest_gain = 1e12;             // reached by linear models, where only rounding is left
+constexpr double beyond_two = 0.0227501319481792;  // part of a normal distribution beyond two u
 
 /// A scatter known from few degrees of freedom.
 double widening(double degrees_of_freedom) {
@@ -64,10 +64,10 @@ void BatchEstimates::forget_controls() {
 
 /// Least squares of d on powers of v.
 struct BatchEstimates::Fit {
-    Eigen::VectorXd coefficients;  ///< of powers of v / width
+    Eigen::VectorXd coefficients;  ///< coefficients of powers of v / width
     double width = 1.0;
     double residual = 0.0;          ///< variance about it
-    double variance_at_zero = 0.0;  ///< of the value at v = 0, for a residual variance of one
+    double variance_at_zero = 0.0;  ///< variance of the value at v = 0, for a residual variance of one
 };
 
 BatchEstimates::Fit BatchEstimates::fitted(const Sums& s, Eigen::Index terms) {

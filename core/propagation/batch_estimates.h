@@ -1,4 +1,4 @@
-// What batches of trials say about each figure of an output: its best estimate and an honest standard error.
+// Estimates from batches of trials: the best value of each figure of an output and an honest standard error.
 #pragma once
 
 #include <Eigen/Core>
@@ -27,28 +27,28 @@ class BatchEstimates {
 public:
     struct Control {
         std::size_t output = 0;
-        /// Of each figure; NaN: not known.
+        /// Exact value of each figure; NaN: not known.
         std::array<double, BatchFigures::count> expectation{};
-        std::array<double, BatchFigures::count> error{};  ///< how far that may be off
+        std::array<double, BatchFigures::count> error{};  ///< largest error of that value
     };
     struct Estimate {
         double value = 0.0;
-        /// So that twice as much is held with 95.45 %, however few the batches (Student's t).
+        /// Standard error; twice as much is held with 95.45 %, however few the batches (Student's t).
         double standard_error = 0.0;
         double gain = 1.0;        ///< variance without the control over the variance with it
         bool controlled = false;  ///< otherwise the value is the mean of the batches
-        double slope = 0.0;       ///< of the figure against that of its control
+        double slope = 0.0;       ///< regression of the figure on that of its control
     };
     /// Fewer batches say too little about a slope and a scatter.
     static constexpr std::uint64_t least_batches = 10;
 
     BatchEstimates(std::size_t outputs, const std::vector<Control>& controls);
-    /// Of the outputs, then of the controls, as in the constructor. In the order of batches.
+    /// Adds the figures of one batch: outputs, then controls, as in the constructor. Batches come in order.
     void add(const std::vector<BatchFigures>& figures);
-    /// What is known of the controls proves not to hold for these trials.
+    /// Drops the controls, as what is known of them proves not to hold for these trials.
     void forget_controls();
     std::uint64_t batches() const { return batches_; }
-    /// With fewer than `least_batches` the standard error is NaN.
+    /// Estimate of a figure; its standard error is NaN with fewer than `least_batches`.
     Estimate estimate(std::size_t output, std::size_t figure) const;
 
 private:

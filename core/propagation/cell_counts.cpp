@@ -18,9 +18,9 @@ public:
     CellOfPilot(std::vector<double>::const_iterator first, std::vector<double>::const_iterator last)
         : first_(first), size_(static_cast<std::size_t>(last - first)) {}
 
-    /// Whether their distribution function leaves the straight line through the cell by more than chance
-    /// explains (Kolmogorov and Smirnov, once in 1,500), or so many lie here that a curve of it would be
-    /// seen.
+    /// Whether the distribution function of the values leaves the straight line through the cell by more than
+    /// chance explains (Kolmogorov and Smirnov, once in 1,500), or so many lie here that a curve of it would
+    /// be seen.
     bool is_uneven(double low, double high, std::size_t all) const {
         constexpr std::size_t fewest = 20, crowded = 100;  // values, one in so many of all
         if (size_ < fewest) return false;
@@ -33,7 +33,7 @@ public:
         return distance > 2.0 * std::sqrt(static_cast<double>(size_));
     }
 
-    /// Every tenth value, and more of them at both ends, beyond which there may be a gap.
+    /// Edges at every tenth value, and more of them at both ends, beyond which there may be a gap.
     std::vector<double> edges(double low, double high) const {
         std::vector<double> edges;
         for (std::size_t k = 0; k < size_; ++k) {

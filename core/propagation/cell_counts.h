@@ -23,7 +23,7 @@ struct CellGrid {
     static constexpr std::size_t counters = cells + 2;
     double low = 0.0;
     double high = 0.0;                      ///< equal to low: an output without spread
-    std::vector<DividedCell> divided = {};  ///< by rising cell
+    std::vector<DividedCell> divided = {};  ///< cells with parts of their own, rising
     double cells_per_unit() const { return high > low ? cells / (high - low) : 0.0; }
     double edge(std::size_t i) const {
         return low + (high - low) * static_cast<double>(i) / static_cast<double>(cells);
@@ -33,7 +33,7 @@ struct CellGrid {
 /// Divides cells at values that the sorted ones of a pilot have: where narrow peaks stand far apart, a cell
 /// is wider than a peak.
 void divide_cells(const std::vector<double>& sorted, CellGrid& grid);
-/// Of all divided cells.
+/// Number of parts of all divided cells.
 std::size_t parts_of(const CellGrid& grid);
 
 /// Adds the values to `counts` (of size CellGrid::counters) and those of divided cells to `parts` (of size

@@ -63,8 +63,8 @@ std::vector<BudgetRow> rows_of(const LawOfPropagation& law, Eigen::Index output)
     return rows;
 }
 
-/// What nothing influences to first order has a budget all the same, with every c zero: Monte Carlo may show
-/// more. Of many components it would be long and say no more.
+/// Rows of an output that nothing influences to first order, with every c zero: Monte Carlo may show more.
+/// With many components the budget would be long and say no more: it is empty.
 std::vector<BudgetRow> rows_without_influence(std::size_t components) {
     constexpr std::size_t few = 24;
     std::vector<BudgetRow> rows;

@@ -26,7 +26,7 @@ public:
         std::fill(without.begin(), without.end(), 0.0);
         std::fill(alone.begin(), alone.end(), 0.0);
     }
-    /// What components of the contributors a and b (which may be the same) bring in together.
+    /// Adds the variance that components of contributors a and b (which may be the same) bring in together.
     void add(std::size_t a, std::size_t b, double variance) {
         for (std::size_t k = 0; k < without.size(); ++k)
             if (k != a && k != b) without[k] += variance;
@@ -73,7 +73,7 @@ std::vector<bool> brought_in_by(const InputSet& inputs, const std::string& contr
 struct Contributor {
     std::string id;
     Name name;
-    std::size_t components = 0;  ///< that have an uncertainty
+    std::size_t components = 0;  ///< number of those that have an uncertainty
 };
 
 std::vector<Contributor> contributors_in(const InputSet& inputs, const LawOfPropagation& law) {
@@ -131,7 +131,7 @@ Result<void> add_contributor_trials(std::vector<ContributorResult>& contributors
                                     const InputSet& inputs, const LawOfPropagation& law,
                                     const Correlations& correlations, std::uint64_t trials) {
     const std::vector<Contributor> who = contributors_in(inputs, law);
-    // Of two, what one gives alone is what remains without the other.
+    // With two contributors, what one gives alone is what remains without the other.
     const bool two = contributors.size() == 2;
     const std::size_t cases = two ? 2 : 2 * contributors.size();
     const WorkEnd end = run_each(cases, context.monitor, [&](std::uint64_t number) {

@@ -22,7 +22,7 @@ CoverageRegion region_of(const Name& group, std::vector<std::size_t> outputs, co
     region.group = group;
     const auto m = static_cast<double>(outputs.size());
     double nu = infinity;
-    for (const std::size_t j : outputs)  // of an output without uncertainty there are none
+    for (const std::size_t j : outputs)  // infinite where an output has no uncertainty
         if (const double own = law.degrees_of_freedom(static_cast<Eigen::Index>(j)); own < nu) nu = own;
     region.outputs = std::move(outputs);
     region.ellipsoid_first_order = std::sqrt(m * f_quantile(probability, m, nu));
@@ -56,7 +56,7 @@ std::vector<CoverageRegion> declare_regions(const std::vector<OutputQuantity>& o
 bool is_singular(const OutputCovariance& covariance, const std::vector<std::size_t>& outputs) {
     const Eigen::MatrixXd part = covariance.among(outputs);
     if (!part.allFinite() || !(part.diagonal().minCoeff() > 0)) return true;
-    // Of the correlation matrix, because units of the outputs differ.
+    // The correlation matrix is judged, because units of the outputs differ.
     const auto solver = eigen_decomposition(correlation_of(part), Eigen::EigenvaluesOnly);
     return solver.eigenvalues().minCoeff() < 1e-10 * solver.eigenvalues().maxCoeff();
 }
@@ -110,7 +110,7 @@ double factor_of(std::vector<double>& distances, double probability) {
 namespace {
 
 struct Distances {
-    std::vector<double> ellipsoid, rectangle;  ///< of the regions in turn, for one block
+    std::vector<double> ellipsoid, rectangle;  ///< distances of the regions in turn, for one block
     std::size_t valid = 0;
 };
 

@@ -14,7 +14,7 @@
 
 namespace covaria::detail {
 
-/// One region for each group of two or more measurands; in groups of more than three also one for each three
+/// Regions for each group of two or more measurands; in groups of more than three also for each three
 /// consecutive outputs of one dimension (the position of a pose). First-order factors are filled in: k_p
 /// from chi-squared (JCGM 102 6.5.2), k_q by Bonferroni (6.5.3); from F and t with the smallest effective
 /// degrees of freedom of the outputs where those are finite, as k of one output is.

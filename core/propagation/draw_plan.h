@@ -1,4 +1,4 @@
-// From components of uncertainty to values of the input quantities, trial by trial.
+// Plan by which components of uncertainty become values of the input quantities, trial by trial.
 #pragma once
 
 #include <Eigen/Core>
@@ -27,7 +27,7 @@ struct ComponentDraw {
     Distribution distribution = {};
     std::vector<DrawTerm> terms = {};
     static constexpr std::size_t no_estimate = static_cast<std::size_t>(-1);
-    /// Of variance: the plan's number. Draws are then mean + scale z / sqrt(chi^2/nu).
+    /// Number of the estimate of variance in the plan. Draws are then mean + scale z / sqrt(chi^2/nu).
     std::size_t estimate = no_estimate;
 };
 
@@ -78,9 +78,9 @@ public:
               DrawWorkspace& workspace) const;
 
 private:
-    /// Where each component goes; fills in the constant parts.
+    /// Terms of each component: the quantities that its draws go to; fills in the constant parts.
     std::vector<ComponentDraw> terms_of(const InputSet& inputs, std::optional<std::size_t> only);
-    /// Which components are drawn with an estimate of variance in common.
+    /// Finds the components that are drawn with an estimate of variance in common.
     void add_estimates(const InputSet& inputs, std::vector<ComponentDraw>& draws);
     void add_group(const std::vector<std::size_t>& set, const std::vector<ComponentDraw>& draws,
                    const std::vector<ComponentCorrelation>& correlations);
@@ -91,9 +91,9 @@ private:
               std::span<double> u) const;
     void draw_estimates(std::uint64_t seed, std::uint64_t first, std::size_t count,
                         DrawWorkspace& workspace) const;
-    /// From uniform numbers to values of an independent component, in place.
+    /// Turns uniform numbers into values of an independent component, in place.
     void realise(const ComponentDraw& component, std::span<double> p, const DrawWorkspace& workspace) const;
-    /// The same from standard normal draws.
+    /// Does the same with standard normal draws.
     void realise_scores(const ComponentDraw& component, std::span<double> z,
                         const DrawWorkspace& workspace) const;
     void add_terms(const ComponentDraw& component, const double* epsilon, std::size_t count,
@@ -112,7 +112,7 @@ private:
     std::vector<VectorDraws> vectors_;
     std::shared_ptr<const SobolPoints> points_;  ///< null: plain draws
     double largest_compromise_ = 0.0;
-    std::size_t latent_rows_ = 0;  ///< of the largest group
+    std::size_t latent_rows_ = 0;  ///< number of rows of the largest group
 };
 
 /// F with F F^T = R for a positive semi-definite correlation matrix; columns = rank of R, rows of unit

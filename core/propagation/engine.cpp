@@ -71,14 +71,14 @@ RunSize size_of_run(const EvaluationOptions& options) {
     return {options.maximum_trials / unit * unit, unit};
 }
 
-/// What is evaluated.
+/// The model, inputs and law of propagation that are evaluated.
 struct Subject {
     const MeasurementModel& model;
     SharedInputs inputs;
     const Propagation& propagation;
 };
 
-/// One evaluation: what its steps share.
+/// An evaluation: what its steps share.
 class Evaluation {
 public:
     Evaluation(const Subject& subject, const EvaluationOptions& options, const RunControl& control,
@@ -96,7 +96,7 @@ public:
 
 private:
     RunContext context() { return {source_, options_.coverage_probability, settings_, monitor_}; }
-    /// Of the trials of the run, where variance reduction has other points or controls for them.
+    /// Context of the trials of the run, where variance reduction has other points or controls for them.
     RunContext context_of_run() {
         return {reduced_ ? reduced_->source() : source_, options_.coverage_probability, settings_, monitor_};
     }

@@ -25,8 +25,8 @@ Result<UncertaintyResult> evaluate(const MeasurementModel& model, const InputSet
 Result<UncertaintyResult> evaluate(const PropagatedModel& model, const EvaluationOptions& options,
                                    const RunControl& control = {});
 
-/// Blocks of trials of such a run, at most: what several processes may share (`RunControl::units`). What is
-/// small beside them (pilot, regions, contributors) each does by itself.
+/// Largest number of blocks of trials of such a run, which several processes may share (`RunControl::units`).
+/// Small parts beside them (pilot, regions, contributors) are done by each process for itself.
 std::uint64_t units_of_run(const EvaluationOptions& options);
 
 /// Law of propagation only (JCGM 100/102): for live editing.

@@ -14,7 +14,7 @@ Result<UncertaintyResult> evaluate_with(const MeasurementModel& model, const Inp
 /// Indices, factors, degrees of freedom; the number of quantities against the model's. The correlations.
 Result<Correlations> checked_correlations(const MeasurementModel& model, const InputSet& inputs);
 
-/// One output by the law of propagation; the result line is still without k and U.
+/// The result of one output by the law of propagation; the result line is still without k and U.
 OutputResult output_result(const OutputQuantity& quantity, const LawOfPropagation& law, Eigen::Index j,
                            const EvaluationOptions& options);
 

@@ -21,7 +21,7 @@ namespace {
 
 using namespace detail;
 
-/// What makes the result lines of the chosen outputs.
+/// Maker of the result lines of the chosen outputs.
 class SummaryMaker {
 public:
     SummaryMaker(const MeasurementModel& model, const InputSet& inputs,
@@ -106,7 +106,7 @@ private:
         return y;
     }
 
-    /// Of the outputs, and of linear parts, which are deviations.
+    /// Shift of the moments: estimates of the outputs, and 0 for linear parts, which are deviations.
     Eigen::VectorXd shift(std::size_t rows) const {
         Eigen::VectorXd shift = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(rows));
         shift.head(static_cast<Eigen::Index>(outputs_.size())) = estimates();

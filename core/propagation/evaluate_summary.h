@@ -16,12 +16,12 @@ namespace covaria {
 struct EvaluationSummary {
     Eigen::VectorXd estimate;
     Eigen::VectorXd standard_uncertainty;
-    Eigen::VectorXd expanded_uncertainty;  ///< as on the result line: see core/result/result_line.h
-    Eigen::MatrixXd covariance;            ///< of the chosen outputs
+    Eigen::VectorXd expanded_uncertainty;  ///< U as on the result line: see core/result/result_line.h
+    Eigen::MatrixXd covariance;            ///< covariance of the chosen outputs
     std::uint64_t failed_trials = 0;
 };
 
-/// As `evaluate` gives them, on the calling thread. `outputs`: indices of those looked at. With
+/// Evaluates some outputs as `evaluate` does, on the calling thread. `outputs`: their indices. With
 /// Method::monte_carlo `options.trials` trials; `advance(n)` is called after each block of n trials, and
 /// false ends with Error{cancelled}. The adaptive procedure is treated as Monte Carlo with a fixed number of
 /// trials.

@@ -19,7 +19,7 @@ using OutputFlags = Eigen::Array<bool, Eigen::Dynamic, 1>;
 
 /// " (alpha, gamma of pose 7)": the outputs without the flag; empty if it is known of none.
 Message named_outputs(const MeasurementModel& model, const OutputFlags& good) {
-    std::vector<std::pair<std::string, std::string>> groups;  // with their symbols
+    std::vector<std::pair<std::string, std::string>> groups;  // groups with the symbols of their outputs
     for (std::size_t j = 0; j < model.outputs().size(); ++j) {
         if (good[static_cast<Eigen::Index>(j)]) continue;
         const OutputQuantity& output = model.outputs()[j];
@@ -103,7 +103,7 @@ private:
     std::vector<std::size_t> touched_;
 };
 
-/// From sensitivities to input quantities to the terms of an output.
+/// Maker of the terms of an output from its sensitivities to the input quantities.
 class TermMaker {
 public:
     TermMaker(const InputSet& inputs, const Correlations& correlations, const Eigen::VectorXd& u)
@@ -151,9 +151,9 @@ private:
 };
 
 constexpr std::size_t most_dense = 4'000'000;  // outputs x components of a matrix made without a thought
-constexpr std::size_t few_outputs = 64;        // that a component concerns, for sums without a matrix
+constexpr std::size_t few_outputs = 64;        // outputs that a component concerns, for sums without a matrix
 
-/// (c u) R (c u)^T. Of large models the components that concern few outputs are added one by one.
+/// Covariance (c u) R (c u)^T. In large models components that concern few outputs are added one by one.
 Eigen::MatrixXd whole_covariance(const LawOfPropagation& law) {
     struct Entry {
         Eigen::Index output;
@@ -189,7 +189,7 @@ Eigen::MatrixXd whole_covariance(const LawOfPropagation& law) {
     } else {
         covariance.noalias() += correlated * contribution.transpose();
         for (Eigen::Index j = 0; j < outputs;
-             ++j)  // in place: of thousands of outputs it is the largest matrix
+             ++j)  // in place: with thousands of outputs it is the largest matrix
             for (Eigen::Index i = 0; i < j; ++i)
                 covariance(i, j) = covariance(j, i) = 0.5 * (covariance(i, j) + covariance(j, i));
     }
@@ -197,7 +197,7 @@ Eigen::MatrixXd whole_covariance(const LawOfPropagation& law) {
     return covariance;
 }
 
-/// One pair of outputs; their terms are in the order of the components.
+/// Covariance of one pair of outputs; their terms are in the order of the components.
 double covariance_of_pair(const std::vector<PropagationTerm>& a, const std::vector<PropagationTerm>& b) {
     double sum = 0.0;
     for (auto s = a.begin(), t = b.begin(); s != a.end() && t != b.end();) {

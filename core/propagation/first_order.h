@@ -13,7 +13,7 @@ namespace covaria::detail {
 
 using Correlations = std::vector<ComponentCorrelation>;
 
-/// What one component of uncertainty does to one output.
+/// Effect of one component of uncertainty on one output.
 struct PropagationTerm {
     std::size_t component = 0;
     double sensitivity = 0.0;   ///< c = dy/d epsilon
@@ -28,12 +28,12 @@ struct LawOfPropagation {
     Eigen::VectorXd u;         ///< standard uncertainties of the components, 0 when held
     /// [output]: by rising component; those without any effect are left out.
     std::vector<std::vector<PropagationTerm>> terms;
-    SensitivityRows sensitivities;  ///< to the input quantities
+    SensitivityRows sensitivities;  ///< sensitivities to the input quantities
     OutputCovariance covariance;    ///< U_y = (c u) R (c u)^T
     Eigen::VectorXd degrees_of_freedom;
     bool degrees_of_freedom_approximate = false;  ///< see WelchSatterthwaite
-    /// By output. Of one without sensitivity coefficients nothing is known to first order: it has no terms,
-    /// and its covariances are no numbers.
+    /// Whether each output has sensitivity coefficients. Without them nothing is known of it to first order:
+    /// it has no terms, and its covariances are no numbers.
     std::vector<bool> differentiable;
 
     bool is_differentiable() const;
@@ -47,7 +47,7 @@ OutputCovariance covariance_of_draws(const InputSet& inputs, const Correlations&
 /// Among some outputs, every pair.
 Eigen::MatrixXd covariance_of_draws(const InputSet& inputs, const Correlations& correlations,
                                     const LawOfPropagation& law, const std::vector<std::size_t>& outputs);
-/// Likewise by the law itself.
+/// The same by the law itself.
 Eigen::MatrixXd covariance_among(const LawOfPropagation& law, const std::vector<std::size_t>& outputs);
 
 /// A (quantities x components): x = constant + A epsilon.

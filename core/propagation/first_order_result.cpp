@@ -1,4 +1,4 @@
-// From the law of propagation to the first-order part of a result.
+// The first-order part of a result, from the law of propagation.
 #include <cmath>
 #include <string>
 
@@ -16,7 +16,7 @@ std::string label(const OutputQuantity& quantity) {
     return quantity.group.empty() ? quantity.symbol : quantity.symbol + " (" + quantity.group + ")";
 }
 
-/// Nothing is lost by drawing these coordinates independently: they are constants, or normal and alike.
+/// Whether nothing is lost by drawing the coordinates independently: they are constants, or normal and alike.
 bool is_independent(const InputSet& inputs, const IsotropicVector& vector) {
     const auto distribution = [&](std::size_t axis) -> const Distribution& {
         return inputs.components[vector.components[axis]].distribution;

@@ -1,4 +1,4 @@
-// How many trials the adaptive procedure will need, before it runs.
+// Forecast of the number of trials that the adaptive procedure will need, before it runs.
 #pragma once
 
 #include <optional>
@@ -14,9 +14,9 @@ namespace covaria {
 struct AdaptiveForecast {
     double trials = 0.0;
     double batches = 0.0;
-    OutputQuantity output;   ///< that needs most
+    OutputQuantity output;   ///< output that needs most
     double tolerance = 0.0;  ///< delta of that output, SI
-    double u = 0.0;          ///< of that output, first order, SI
+    double u = 0.0;          ///< standard uncertainty of that output, first order, SI
     /// "a tolerance of 0.0001 mm for X of zero (u = 1.37 mm) needs about 5.3e9 trials (5.3e5 batches)".
     Message words() const;
 };

@@ -7,7 +7,7 @@
 
 namespace covaria {
 
-/// What a guard band is made from.
+/// Basis of a guard band.
 struct GuardBandBasis {
     double expanded_uncertainty = 0.0;
     double standard_uncertainty = 0.0;

@@ -47,7 +47,7 @@ private:
         kept_.shares.push_back(trials_below / static_cast<double>(trials_));
     }
 
-    /// What lies between the tails.
+    /// Adds a value between the tails, where it rises with those before.
     void add_inner(double value, double trials_below) {
         const bool after =
             kept_.values.empty() || (value >= kept_.values.back() &&
@@ -89,7 +89,7 @@ private:
         }
     }
 
-    /// The values that recur in cell i. What lies beside a single one continues from the neighbours.
+    /// Adds the values that recur in cell i. The rest beside a single one continues from the neighbours.
     void add_jumps(std::size_t i, const std::vector<std::vector<RepeatedValue>>& repeated, double before) {
         const auto inside = static_cast<double>(counts_[i + 1]);
         const auto continuous = [&](std::size_t cell) {
@@ -123,7 +123,7 @@ private:
     const std::vector<std::uint64_t>& parts_;
     const Tails& tails_;
     std::uint64_t trials_;
-    double last_ = 0.0, most_below_ = 0.0;  ///< of the body
+    double last_ = 0.0, most_below_ = 0.0;  ///< end of the body
     TrialDistribution kept_;
 };
 

@@ -1,4 +1,4 @@
-// What is kept of the distribution of an output after its trials are gone.
+// The distribution of an output that is kept after its trials are gone.
 #pragma once
 
 #include <cstdint>

@@ -9,15 +9,15 @@ namespace {
 
 constexpr std::size_t affordable_numbers = 100'000;          // outputs x quantities
 constexpr std::array<double, 2> kink_distances{1e-5, 1e-6};  // in standard uncertainties, the second nearer
-/// Of the uncertainty that the sensitivities beside the kink give.
+/// Least jump that counts, as a part of the uncertainty that the sensitivities beside the kink give.
 constexpr double noticeable_jump = 1e-3;
 /// A curve's difference falls with the distance, or with its root at the ends of a domain.
 constexpr double jump_stays = 0.7;
 constexpr double last_digits = 1e-15;    // relative change of the estimates that means nothing
-constexpr double mostly_rounding = 0.1;  // of the uncertainty, in the change that this makes
+constexpr double mostly_rounding = 0.1;  // change of the uncertainty by these digits, relative
 constexpr double above_rounding = 10.0;  // a jump of less may be one of the last digits
 
-/// Of each output: contributions c u of the quantities.
+/// Contributions c u of the quantities (columns) to each output (rows) at x.
 Result<Eigen::MatrixXd> contributions_at(const MeasurementModel& model, const Eigen::VectorXd& x,
                                          const Eigen::VectorXd& u) {
     Eigen::MatrixXd jacobian =

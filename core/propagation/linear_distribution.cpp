@@ -13,7 +13,7 @@ namespace covaria::detail {
 namespace {
 
 constexpr std::size_t usual_points = 8192;
-constexpr double period = 64.0;         // in widths
+constexpr double period = 64.0;         // period of the grid in widths
 constexpr double heavy_period = 512.0;  // with tails of fewer than six degrees of freedom, or lognormal ones
 constexpr double negligible = 1e-14;
 
@@ -27,7 +27,7 @@ bool is_heavy(const LinearTerm& term) {
            term.distribution.kind() == "weibull";
 }
 
-/// Of a Poisson or binomial distribution; 0 of others.
+/// Step of a Poisson or binomial distribution; 0 of others.
 double step_of(const Distribution& distribution) {
     if (const auto* p = std::get_if<Poisson>(&distribution.parameters())) return p->step;
     if (const auto* b = std::get_if<Binomial>(&distribution.parameters())) return b->step;
@@ -117,7 +117,7 @@ void LinearDistribution::multiply(const std::vector<LinearTerm>& terms) {
     while (values_.size() < most_points_ && small < 64) {
         const double t = (static_cast<double>(values_.size()) + 0.5) * spacing_;
         std::complex<double> product = std::exp(-0.5 * normal_ * normal_ * t * t);
-        double size = product.real(), at_most = size;  // with the errors of the factors
+        double size = product.real(), at_most = size;  // at_most: with the errors of the factors
         for (const LinearTerm& term : terms) {
             if (at_most < negligible) break;
             const std::complex<double> factor = (*term.characteristic)(term.factor * t);

@@ -22,7 +22,7 @@ struct KnownQuantile {
     double value = 0.0, error = 0.0;
 };
 
-/// Of the sum of the terms, whose mean is zero. Normal terms, or one term alone, have closed forms; otherwise
+/// The sum of the terms, whose mean is zero. Normal terms, or one term alone, have closed forms; otherwise
 /// the characteristic functions are multiplied on a grid and inverted (Gil-Pelaez 1951) by the midpoint rule:
 /// to 1e-8 of the distribution function where its density is smooth. What wraps round from the far tails of
 /// Student t terms is taken out by their own distribution functions. Where the product does not end within
@@ -34,12 +34,12 @@ public:
 
     /// Infinite with a Student t of two degrees of freedom or fewer.
     double standard_deviation() const { return standard_deviation_; }
-    /// Which is zero; not with a Student t of one degree of freedom or fewer.
+    /// Whether the mean exists, which is zero: not with a Student t of one degree of freedom or fewer.
     bool has_mean() const { return has_mean_; }
     double resolution() const { return damping_; }
     double distribution_function(double x) const;
-    /// How far that may be off: what the characteristic functions are off by, what wraps round from far
-    /// tails, and what the damping does within some of its widths about x.
+    /// Bound of the error of the distribution function: errors of the characteristic functions, what wraps
+    /// round from far tails, and the effect of the damping within some of its widths about x.
     double error(double x) const;
     /// Empty: there are jumps (discrete terms), the density is too peaked for the grid, or the quantile lies
     /// beyond it (far tails of few degrees of freedom).
@@ -68,13 +68,13 @@ private:
     double normal_ = 0.0;  ///< standard deviation of all normal terms
     double spacing_ = 0.0;
     double damping_ = 0.0;
-    double lasting_error_ = 0.0;  ///< of the distribution function, wherever it is asked
+    double lasting_error_ = 0.0;  ///< error of the distribution function that is the same everywhere
     std::size_t most_points_ = 0;
     bool has_mean_ = true;
     bool has_density_ = true;
     std::vector<LinearTerm> alone_;             ///< the only term
     std::vector<LinearTerm> heavy_;             ///< Student t terms
-    std::vector<std::complex<double>> values_;  ///< at (k + 1/2) spacing
+    std::vector<std::complex<double>> values_;  ///< values at (k + 1/2) spacing
 };
 
 }  // namespace covaria::detail

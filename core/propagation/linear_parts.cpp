@@ -1,4 +1,4 @@
-// From correlated components to independent terms.
+// Independent terms of the linear parts of outputs, from correlated components.
 #include "core/propagation/linear_parts.h"
 
 #include <algorithm>

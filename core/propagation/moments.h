@@ -52,7 +52,7 @@ private:
     Eigen::VectorXd shift_;
     Eigen::ArrayX4d powers_;            ///< sums of d, d^2, d^3, d^4
     OutputCovariance products_;         ///< sums of d_a d_b, lower triangles of the blocks
-    OutputCovariance linear_products_;  ///< likewise
+    OutputCovariance linear_products_;  ///< the same for the linear parts
 };
 
 }  // namespace covaria::detail

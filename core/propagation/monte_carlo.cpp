@@ -10,7 +10,7 @@
 namespace covaria::detail {
 namespace {
 
-/// For outputs whose tails proved too short.
+/// Pilot for a second pass over the outputs whose tails proved too short.
 Pilot widened(const Pilot& pilot, const std::vector<std::size_t>& outputs) {
     Pilot wide;
     for (std::size_t j : outputs) wide.outputs.push_back(widened(pilot.outputs[j]));
@@ -89,7 +89,7 @@ struct Partial {
     BatchSummary summary;
 };
 
-/// What is read from a file is held against what a unit of the run can have: more trials than it has would
+/// Whether a partial result read from a file can be one of a unit of the run: more trials than it has would
 /// be waited for without an end, values of other outputs be looked for where there are none.
 bool is_possible(const Partial& partial, RunSize size, const WatchedStatistics& watched, bool in_batches,
                  std::size_t rows) {
@@ -113,7 +113,7 @@ PartialBytes<Partial> bytes_of_partials(std::function<bool(const Partial&)> is_p
             }};
 }
 
-/// One thread of the main pass.
+/// A thread of the main pass.
 class Worker {
 public:
     Worker(const RunContext& context, const Pilot& pilot, RunSize size)

@@ -14,17 +14,17 @@ class AdaptiveProcedure;
 class BatchEstimates;
 
 struct RunSize {
-    std::uint64_t trials = 0;              ///< at most
-    std::uint64_t per_unit = unit_trials;  ///< a unit, or a batch of the adaptive procedure
+    std::uint64_t trials = 0;              ///< largest number of trials
+    std::uint64_t per_unit = unit_trials;  ///< trials of a unit, or of a batch of the adaptive procedure
     std::uint64_t units() const { return (trials + per_unit - 1) / per_unit; }
 };
 
-/// What a run has found, before intervals are taken from it.
+/// Findings of a run, before intervals are taken from them.
 struct MonteCarloRun {
     Moments moments;
     std::vector<Tails> tails;
     std::vector<std::vector<std::uint64_t>> cells;
-    std::vector<std::vector<std::uint64_t>> parts;  ///< of divided cells
+    std::vector<std::vector<std::uint64_t>> parts;  ///< counts of the divided cells
     Pilot pilot;
     std::uint64_t trials = 0;  ///< made, with those that have no value
     std::uint64_t units = 0;
@@ -34,10 +34,10 @@ struct MonteCarloRun {
     std::uint64_t failed() const { return trials - moments.count(); }
 };
 
-/// Who looks at the batches (units) of a run as they come, in their order.
+/// Observers of the batches (units) of a run as they come, in their order.
 struct BatchWatch {
     AdaptiveProcedure* adaptive = nullptr;  ///< null: exactly `size.trials` trials
-    BatchEstimates* estimates = nullptr;    ///< of complete batches
+    BatchEstimates* estimates = nullptr;    ///< takes complete batches
 };
 
 /// `pilot`: as from `run_pilot` with the same context. Error: cancelled.

@@ -23,8 +23,8 @@ double exponent_of_tail(const Tail& tail, std::uint64_t ranks, double median) {
     return sum > 0.0 ? static_cast<double>(ranks) / sum : infinity;
 }
 
-/// With an exponent below two there is no variance, and where it only looks so these trials do not know it.
-/// Some values far out have such a tail too, but no longer when only they are asked.
+/// Whether the tail falls with an exponent below two: then there is no variance, or these trials do not know
+/// it. Some values far out have such a tail too, but no longer when only they are asked.
 bool has_heavy_tail(const Tail& tail, std::uint64_t trials, double median) {
     constexpr std::uint64_t fewest = 100, most = 10'000;
     const std::uint64_t ranks = std::clamp(trials / 1000, fewest, most);

@@ -8,7 +8,8 @@
 namespace covaria::detail {
 namespace {
 
-/// Of the k-th of `count` values (Hyndman and Fan, The American Statistician 50 (1996) 361, definition 8).
+/// Score of the k-th of `count` values (Hyndman and Fan, The American Statistician 50 (1996) 361, definition
+/// 8).
 double normal_quantile_of_rank(std::uint64_t k, std::uint64_t count) {
     return normal_quantile((static_cast<double>(k) - 1.0 / 3.0) / (static_cast<double>(count) + 1.0 / 3.0));
 }

@@ -7,7 +7,7 @@
 
 namespace covaria::detail {
 
-/// Of the ranks first ... first + size - 1; they sum to 1.
+/// Weights of the ranks first ... first + size - 1; they sum to 1.
 struct RankWeights {
     std::uint64_t first = 1;
     std::vector<double> weights;

@@ -9,7 +9,7 @@
 namespace covaria::detail {
 namespace {
 
-constexpr double close = 0.01;  // of the width of the interval
+constexpr double close = 0.01;  // as parts of the width of the interval
 constexpr double tolerable = 0.05;
 constexpr double certain_z = 5.0;  // standard errors of a moment that chance does not explain
 

@@ -7,7 +7,7 @@
 
 namespace covaria::detail {
 
-/// From skewness, kurtosis, u and the symmetric interval of `trials` trials. With many trials every
+/// Verdict by skewness, kurtosis, u and the symmetric interval of `trials` trials. With many trials every
 /// distribution differs from a normal one significantly; the verdict asks whether U = k u would mislead.
 NormalityVerdict normality_of(const MonteCarloOutput& output, std::uint64_t trials, double probability);
 

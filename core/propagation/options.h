@@ -1,4 +1,4 @@
-// What the user chooses about an evaluation. Options validate themselves and name the wrong field.
+// Options of an evaluation, which users choose. Options validate themselves and name the wrong field.
 #pragma once
 
 #include <cstdint>

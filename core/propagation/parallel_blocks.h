@@ -21,7 +21,7 @@ enum class WorkEnd {
     cancelled,  ///< stop was requested
 };
 
-/// What to do. `make_worker` is called once on each thread and returns a function that fills the partial
+/// The work. `make_worker` is called once on each thread and returns a function that fills the partial
 /// result of a unit (false: stop was requested). `merge` is called for units 0, 1, 2 ... one at a time, on
 /// any thread; false: enough.
 template <class Partial>

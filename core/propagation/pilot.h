@@ -16,11 +16,11 @@ namespace covaria::detail {
 /// A value that recurs: the output has a discrete part.
 struct RepeatedValue {
     double value = 0.0;
-    double share = 0.0;  ///< of the pilot's trials
+    double share = 0.0;  ///< share of the pilot's trials
 };
 
-/// Of one output. Decides about memory and speed, never about a result: what is kept by these thresholds is
-/// checked afterwards, and kept again if it was too little.
+/// Pilot of one output. Decides about memory and speed, never about a result: what is kept by these
+/// thresholds is checked afterwards, and kept again if it was too little.
 struct OutputPilot {
     double median =
         0.0;  ///< a value that occurred: the shift of the moments, so that no spread gives exactly 0
@@ -31,21 +31,21 @@ struct OutputPilot {
     std::vector<RepeatedValue> repeated;  ///< rising
 };
 
-/// Of these values, which are sorted; `tail_fraction` of them in each tail.
+/// Pilot from these values, which are sorted; `tail_fraction` of them in each tail.
 OutputPilot look_at(std::vector<double>& values, double tail_fraction);
-/// With thresholds that keep (almost) every value, where tails proved too short.
+/// The pilot with thresholds that keep (almost) every value, where tails proved too short.
 OutputPilot widened(const OutputPilot& pilot);
 /// 1 - probability, and `margin` standard errors from so many values more.
 double tail_fraction_of(std::size_t values, double probability, double margin);
 
 struct Pilot {
     std::vector<OutputPilot> outputs;
-    double tail_fraction = 1.0;  ///< of the trials that lie in each tail, about
+    double tail_fraction = 1.0;  ///< approximate part of the trials in each tail
     std::size_t own = 0;         ///< outputs of the model; those after them are linear parts
-    /// Of each linear part: squared correlation with its output.
+    /// Squared correlation of each linear part with its output.
     std::vector<double> explained = {};
-    OutputBlocks blocks = {};         ///< of the outputs of the model
-    OutputBlocks linear_blocks = {};  ///< of the linear parts, as their outputs are
+    OutputBlocks blocks = {};         ///< blocks of the outputs of the model
+    OutputBlocks linear_blocks = {};  ///< blocks of the linear parts, as of their outputs
     Eigen::VectorXd shift() const;
     /// Statistics of no trials yet.
     Moments moments() const { return Moments(shift(), blocks, linear_blocks); }

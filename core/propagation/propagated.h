@@ -31,7 +31,7 @@ public:
     const std::shared_ptr<const InputSet>& shared_inputs() const { return inputs_; }
     /// Errors: as `propagate`.
     const Result<Propagation>& propagation() const;
-    /// Whether somebody has asked for it.
+    /// Whether somebody has asked for the law.
     bool is_computed() const;
 
 private:

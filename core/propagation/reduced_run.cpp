@@ -147,13 +147,13 @@ BatchEstimates::Control ReducedRun::control_of(std::size_t k) const {
     return control;
 }
 
-/// Where trials are lost, those that are left have another linear part than the one whose distribution is
-/// known.
+/// Whether plain results have to be taken: where trials are lost, those that are left have another linear
+/// part than the one whose distribution is known.
 bool ReducedRun::is_plain(const MonteCarloRun& run) const {
     return run.failed() > 0 && options_.variance_reduction == VarianceReduction::control_variate;
 }
 
-/// As standard uncertainty instead of the variance.
+/// Estimate of a figure, with the standard uncertainty instead of the variance.
 BatchEstimates::Estimate ReducedRun::figure_of(std::size_t output, std::size_t figure) const {
     BatchEstimates::Estimate estimate = estimates_->estimate(output, figure);
     if (figure != 1) return estimate;
@@ -241,7 +241,7 @@ OutputCovariance ReducedRun::covariance(const MonteCarloRun& run,
 }
 
 std::vector<Message> ReducedRun::without_control() const {
-    std::map<std::string, std::pair<Message, Message>> outputs;  // by reason: the reason, the outputs
+    std::map<std::string, std::pair<Message, Message>> outputs;  // by reason: its words, the outputs
     for (std::size_t j = 0; j < plain_because_.size(); ++j) {
         if (plain_because_[j].empty()) continue;
         auto& [reason, list] = outputs[plain_because_[j].english()];

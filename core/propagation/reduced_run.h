@@ -1,4 +1,4 @@
-// What variance reduction adds to a Monte Carlo run: other points, controls, estimates from batches.
+// Variance reduction of a Monte Carlo run: other points, controls, estimates from batches.
 #pragma once
 
 #include <memory>
@@ -18,8 +18,8 @@ namespace covaria::detail {
 /// interval ends; a power of two for Sobol points.
 std::uint64_t batch_of_run(const EvaluationOptions& options);
 
-/// For one run. Used in this order: `source` for the pilot, `choose` after it, `source` for the run,
-/// `estimates` in it, `apply` after it.
+/// Variance reduction of one run. Used in this order: `source` for the pilot, `choose` after it, `source` for
+/// the run, `estimates` in it, `apply` after it.
 class ReducedRun {
 public:
     /// `source`: of plain trials. All must outlive it.
@@ -32,7 +32,7 @@ public:
     BatchEstimates* estimates() { return estimates_ ? &*estimates_ : nullptr; }
     /// Puts the better estimates in, with their standard errors.
     void apply(const MonteCarloRun& run, std::vector<MonteCarloOutput>& outputs) const;
-    /// Of the outputs with these standard uncertainties.
+    /// Covariance of the outputs, scaled to their standard uncertainties.
     OutputCovariance covariance(const MonteCarloRun& run, const std::vector<MonteCarloOutput>& outputs) const;
     /// "X, Y (reason)" for each reason why outputs have no control.
     std::vector<Message> without_control() const;
@@ -42,7 +42,7 @@ private:
     Eigen::Index output_of(Eigen::Index linear_part) const {
         return static_cast<Eigen::Index>((*rows_)[static_cast<std::size_t>(linear_part)].output);
     }
-    /// Of the linear part in row k; NaN where it is not known.
+    /// Control by the linear part in row k; NaN where a figure is not known.
     BatchEstimates::Control control_of(std::size_t k) const;
     bool is_plain(const MonteCarloRun& run) const;
     BatchEstimates::Estimate figure_of(std::size_t output, std::size_t figure) const;
@@ -56,9 +56,9 @@ private:
     TrialSource source_;
     std::optional<DrawPlan> sobol_plan_;
     std::optional<LinearRows> rows_;
-    std::vector<std::vector<LinearTerm>> terms_;  ///< of the rows
+    std::vector<std::vector<LinearTerm>> terms_;  ///< terms of each row
     OutputCovariance linear_covariance_;          ///< exact, of the linear parts of all outputs
-    std::vector<Message> plain_because_;          ///< by output; empty: controlled
+    std::vector<Message> plain_because_;          ///< reasons by output; empty: controlled
     std::optional<BatchEstimates> estimates_;
 };
 

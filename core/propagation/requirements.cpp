@@ -14,7 +14,7 @@ namespace covaria {
 
 namespace {
 
-constexpr int pieces = 400;  ///< of an interval of integration
+constexpr int pieces = 400;  ///< pieces of an interval of integration
 
 using ConformanceBy = RequirementResult::Distribution;
 using Decision = RequirementResult::Decision;
@@ -32,7 +32,7 @@ double probability_inside(double x, double u, double nu, double low, double high
     return std::clamp(1.0 - below - above, 0.0, 1.0);
 }
 
-/// Of the distribution that the result line states.
+/// Probability between the limits by the distribution that the result line states.
 double probability_inside(const OutputResult& output, double low, double high) {
     if (output.monte_carlo) return output.monte_carlo->distribution.inside(low, high);
     return probability_inside(output.estimate, output.standard_uncertainty,
@@ -50,7 +50,7 @@ ToleranceLimits at_branch_of(const OutputResult& output, ToleranceLimits limits)
     return limits;
 }
 
-/// With the neighbouring turns, where an angle has both limits.
+/// Probability of conformity, with the neighbouring turns where an angle has both limits.
 double conformance(const OutputResult& output, const ToleranceLimits& limits) {
     double p = probability_inside(output, limits.lower, limits.upper);
     const double width = limits.upper - limits.lower, turn = 2.0 * std::numbers::pi;

@@ -8,7 +8,7 @@
 
 namespace covaria {
 
-/// The verdict is a function of the result and the requirement, and is kept nowhere: a changed requirement is
+/// Judges a requirement. The verdict follows from it and the result, and is kept nowhere: a changed one is
 /// judged at once, without another run. A result that does not represent the measurand is not judged. What it
 /// takes to meet a target is in reverse_budget.h.
 RequirementResult judge(const UncertaintyResult& result, const OutputRequirement& requirement);

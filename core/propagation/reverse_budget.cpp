@@ -18,7 +18,7 @@ using namespace detail;
 
 constexpr std::size_t most_components = 12;
 constexpr std::uint64_t most_trials = 100'000, least_trials = 10'000;
-constexpr double most_draws = 1e8;  ///< of one evaluation
+constexpr double most_draws = 1e8;  ///< draws of one evaluation
 
 /// U of an output when one component, or all, are multiplied by a factor.
 class VariedUncertainty {

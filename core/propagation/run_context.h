@@ -1,4 +1,4 @@
-// What the passes over the trials of one evaluation share.
+// Context that the passes over the trials of one evaluation share.
 #pragma once
 
 #include "core/propagation/internal_sizes.h"
@@ -9,7 +9,7 @@ namespace covaria::detail {
 
 struct RunContext {
     const TrialSource& source;
-    double probability;  ///< of coverage
+    double probability;  ///< coverage probability
     const EngineSettings& settings;
     RunMonitor& monitor;
 };

@@ -8,11 +8,11 @@
 namespace covaria::detail {
 namespace {
 
-constexpr double first_step = 0.2;  // in u
+constexpr double first_step = 0.2;  // in units of u
 constexpr int most_halvings = 12;
 constexpr int least_levels = 3;                // fewer say nothing about what is left
-constexpr double settled_part = 1e-10;         // of the size of the derivatives
-constexpr double tolerable_error = 0.01;       // of what the second order gives
+constexpr double settled_part = 1e-10;         // relative to the derivatives
+constexpr double tolerable_error = 0.01;       // relative to the second-order variance
 constexpr std::size_t most_terms = 2'000'000;  // outputs x components
 
 /// c(epsilon) for component k displaced by `step`.

@@ -10,11 +10,11 @@
 namespace covaria::detail {
 
 struct SecondOrder {
-    Eigen::VectorXd variance;  ///< to be added to the first-order variance
+    Eigen::VectorXd variance;  ///< term to be added to the first-order variance
     Eigen::VectorXd shift;     ///< 1/2 sum f_ii u_i^2: for information, not added to the estimate
 };
 
-/// For independent, symmetric components. Derivatives of the Jacobian, which is exact, by central differences
+/// Terms for independent, symmetric components. Derivatives of the Jacobian, which is exact, by differences
 /// whose steps are halved until their extrapolation to no step at all (Ridders, Advances in Engineering
 /// Software 4 (1982) 75) is known. Error: cancelled; numeric when the model has no derivatives nearby, or
 /// none of second and third order.

@@ -119,7 +119,7 @@ private:
     Eigen::Matrix4d products_ = Eigen::Matrix4d::Zero();
 };
 
-/// One factor: trials a, trials b, and trials a with the factor of b.
+/// Run for one factor: trials a, trials b, and trials a with the factor of b.
 class FactorRun {
 public:
     FactorRun(const TrialSource& source, const InputSet& inputs, const Correlations& correlations,

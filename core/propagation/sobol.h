@@ -14,7 +14,7 @@ struct SobolFactor {
     std::string name;
     std::vector<std::size_t> components;
 };
-/// By falling share of the first-order variances; those after the first `most - 1` are one factor together.
+/// Factors by falling share of the first-order variances; those after the first `most - 1` become one.
 std::vector<SobolFactor> sobol_factors(const InputSet& inputs, const LawOfPropagation& law,
                                        const Correlations& correlations, std::size_t most = 40);
 

@@ -12,7 +12,7 @@
 
 namespace covaria::detail {
 
-/// Of some outputs, and after them of the linear parts of those that have one.
+/// Figures of some outputs, and after them of the linear parts of those that have one.
 struct TrialFigures {
     Eigen::VectorXd mean;
     Eigen::MatrixXd covariance;
@@ -34,7 +34,7 @@ public:
     void improve(TrialFigures& figures, double probability, std::uint64_t trials) const;
 
 private:
-    std::vector<std::size_t> place_of_;  ///< of each row among the outputs looked at
+    std::vector<std::size_t> place_of_;  ///< place of each row among the outputs looked at
     std::vector<LinearDistribution> distributions_;
     LinearRows rows_{{}};
     Eigen::MatrixXd covariance_;  ///< exact, of the linear parts of the rows

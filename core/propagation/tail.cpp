@@ -37,7 +37,7 @@ void Tail::to_cells() {
     if (!exact()) return;
     cells_.assign(cell_count, 0);
     if (std::isinf(shape_.threshold) && !values_.empty()) {
-        // Everything was kept because there was no pilot to go by: now there is.
+        // Without a pilot to go by everything was kept: now these values are one.
         std::vector<double> sorted = values_;
         std::sort(sorted.begin(), sorted.end());
         shape_.threshold = sorted[sorted.size() / 8];

@@ -10,7 +10,7 @@ namespace covaria::detail {
 
 enum class Side { low, high };
 
-/// Where a tail begins, and the width by which its cells are scaled (both from the pilot).
+/// Threshold of a tail, where it begins, and the scale of its cells (both from the pilot).
 struct TailShape {
     double threshold = 0.0;
     double scale = 1.0;
@@ -22,14 +22,14 @@ class Tail {
 public:
     Tail(Side side, TailShape shape);
 
-    void add(std::span<const double> values);  ///< those not beyond the threshold are ignored
+    void add(std::span<const double> values);  ///< ignores values that are not beyond the threshold
     void add_equal(std::uint64_t count) { equal_ += count; }
     std::uint64_t count() const { return beyond_ + equal_; }
     std::size_t bytes() const { return values_.size() * sizeof(double); }
     bool exact() const { return cells_.empty(); }
     /// Replaces the values by counts in cells over the whole half line; cells are finest at the threshold.
     void to_cells();
-    /// To be called before `value`.
+    /// Sorts or sums what was added; to be called before `value`.
     void finish();
     /// The rank-th most extreme value, rank = 1 ... count(). In cells: interpolated linearly.
     double value(std::uint64_t rank) const;

@@ -1,4 +1,4 @@
-// From the trials of an output to its result line.
+// Result line of an output from its trials.
 #pragma once
 
 #include "core/result/uncertainty_result.h"

@@ -12,15 +12,15 @@
 
 namespace covaria::detail {
 
-/// What every trial of a run needs; immutable, shared by all threads.
+/// Everything that the trials of a run need; immutable, shared by all threads.
 struct TrialSource {
     const MeasurementModel* model = nullptr;
     const DrawPlan* plan = nullptr;
     std::uint64_t seed = 0;
-    Eigen::VectorXd estimate = {};  ///< of each output, first order: periodic outputs are unwrapped to it
+    Eigen::VectorXd estimate = {};  ///< first-order estimate of each: periodic outputs are unwrapped to it
     const LinearRows* linear = nullptr;  ///< linear parts of some outputs, to be evaluated too
     std::size_t outputs() const { return static_cast<std::size_t>(estimate.size()); }
-    /// Those of the linear parts come after those of the outputs.
+    /// Number of rows: outputs, then their linear parts.
     std::size_t rows() const { return outputs() + (linear ? linear->size() : 0); }
 };
 

@@ -26,13 +26,13 @@ struct UnitStatistics {
     void add(const Pilot& pilot, const TrialBlockRunner& runner, TrialRows& scratch);
     void write(ByteWriter& writer) const;
     void read(ByteReader& reader);  ///< into statistics made for the same pilot
-    /// What a unit of `most` trials can have counted: files may say anything.
+    /// Whether a unit of `most` trials can have counted this: files may say anything.
     bool is_possible(std::uint64_t most) const;
 
     Moments moments;
     std::vector<OutsideValues> outside;
     std::vector<std::uint32_t> cells;  ///< CellGrid::counters for each output of the model
-    std::vector<std::uint32_t> parts;  ///< of their divided cells, one output after the other
+    std::vector<std::uint32_t> parts;  ///< counts of their divided cells, one output after the other
     std::uint64_t trials = 0;
 };
 

@@ -73,7 +73,7 @@ double log_of_student_t(double nu, double tau) {
     return most + std::log(sum * step) + half * std::log(half) - std::lgamma(half);
 }
 
-/// That logarithm over ln tau in equal steps, read by six points (Lagrange).
+/// Table of that logarithm over ln tau in equal steps, read by six points (Lagrange).
 class StudentTTable {
 public:
     explicit StudentTTable(double nu) : nu_(nu) {
@@ -141,7 +141,7 @@ struct Nodes {
 /// Gauss' rule of five points integrates exp(i theta s) over -1 ... 1 to 8.1e-10 theta^10 (its error term for
 /// the tenth derivative), and beyond its reach to no more than twice the weight of the panel.
 struct QuadratureError {
-    std::vector<double> half_turns, weight;  ///< of each panel: half of what x moves over it; probability
+    std::vector<double> half_turns, weight;  ///< of each panel: half the change of x; probability
     double operator()(double t) const {
         double sum = error_of_table;
         for (std::size_t k = 0; k < weight.size(); ++k) {
@@ -155,7 +155,7 @@ struct QuadratureError {
 constexpr double last_score = 8.2;
 constexpr int panels = 400;
 
-/// Of `by_quadrature`.
+/// Error of `by_quadrature` for the distribution.
 QuadratureError quadrature_error(const Distribution& distribution) {
     std::vector<double> scores, edges(panels + 1);
     for (int edge = 0; edge <= panels; ++edge) scores.push_back(last_score * (2.0 * edge / panels - 1.0));

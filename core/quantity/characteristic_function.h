@@ -17,7 +17,7 @@ class CharacteristicFunction {
 public:
     explicit CharacteristicFunction(const Distribution& distribution);
     std::complex<double> operator()(double t) const { return of_parameters_(factor_ * t); }
-    /// How far the value at t may be off.
+    /// Bound of the error of the value at t.
     double error(double t) const { return error_ ? error_(factor_ * t) : rounding; }
 
 private:

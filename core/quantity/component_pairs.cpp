@@ -34,7 +34,7 @@ std::string quoted(const InputSet& inputs, std::size_t component) {
     return '"' + inputs.components[component].id + '"';
 }
 
-/// So that |factor| u of all components add: components with factors of opposite sign get -1.
+/// Coefficient with which |factor| u of all components add: factors of opposite sign need -1.
 double coefficient_of_signs(double a, double b) {
     return (a < 0.0) == (b < 0.0) ? 1.0 : -1.0;
 }

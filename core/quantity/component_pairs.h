@@ -1,4 +1,4 @@
-// Which components belong together: correlation coefficients of pairs, sets of dependent components.
+// Components that belong together: correlation coefficients of pairs, sets of dependent components.
 #pragma once
 
 #include <cstddef>

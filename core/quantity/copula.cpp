@@ -66,7 +66,7 @@ ScoreFunction score_function_of(const Distribution& distribution, bool mirrored)
 
 using ScoreFunctionPointer = std::shared_ptr<const ScoreFunction>;
 
-/// Functions by shape. What is computed depends on the key alone, not on who asks first.
+/// Functions by shape, kept. The result depends on the key alone, not on who asks first.
 class KnownFunctions {
 public:
     ScoreFunctionPointer get(const Distribution& distribution) {
@@ -115,7 +115,7 @@ public:
             highest_ += a.weighted[i] * b.weighted[i];
             lowest_ += a.weighted[i] * b.weighted[grid_points - 1 - i];
         }
-        // What is left of the series goes into two more terms, so that both ends are exact.
+        // The rest of the series goes into two more terms, so that both ends are exact.
         const double rest[2] = {0.5 * (highest_ + lowest_) - sums[0], 0.5 * (highest_ - lowest_) - sums[1]};
         for (std::size_t k = terms; k < terms + 2; ++k) products_.push_back(rest[k % 2]);
         while (products_.size() > 2 && std::abs(products_.back()) < 1e-15) products_.pop_back();
@@ -169,7 +169,7 @@ public:
             keeps(pair.second) || (is_normal(pair.first) && is_normal(pair.second)))
             return pair.coefficient;
         const CorrelationOfScores r(*function_of(pair.first), *function_of(pair.second));
-        constexpr double rounding = 0.005;  // of a coefficient stated with two digits
+        constexpr double rounding = 0.005;  // rounding of a coefficient stated with two digits
         if (pair.coefficient < r.lowest() - rounding || pair.coefficient > r.highest() + rounding)
             return impossible(pair, r);
         return r.inverse(pair.coefficient);

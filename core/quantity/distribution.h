@@ -83,7 +83,7 @@ struct Poisson {
     double number, step, zero;
     bool operator==(const Poisson&) const = default;
 };
-/// Likewise, N of `trials` with the same probability each.
+/// Binomial distribution: N of `trials` with the same probability each; the value is as for Poisson.
 struct Binomial {
     double trials, probability, step, zero;
     bool operator==(const Binomial&) const = default;
@@ -119,7 +119,7 @@ public:
     /// freedom, probabilities that do not sum to 1
     /// ...; the message names the parameter.
     static Result<Distribution> make(DistributionParameters parameters);
-    /// For parameters computed from checked values; throws ImpossibleValue (guarded.h) otherwise.
+    /// Makes a distribution from checked values; throws ImpossibleValue (guarded.h) for others.
     static Distribution of(DistributionParameters parameters);
     static Distribution normal(double standard_uncertainty);
 
@@ -129,13 +129,13 @@ public:
     double location() const { return location_; }
     double factor() const { return factor_; }
 
-    double mean() const;  ///< of a Student t its centre, also where nu <= 1 leaves the expectation undefined
+    double mean() const;  ///< for a Student t its centre, also where nu <= 1 leaves the expectation undefined
     /// Standard deviation of the drawn values: for Student t scale*sqrt(nu/(nu-2)), infinite for nu <= 2.
     double standard_deviation() const;
     /// Standard uncertainty of the law of propagation: as `standard_deviation`, but the scale for Student t
     /// (JCGM 100 G.3).
     double standard_uncertainty() const;
-    double degrees_of_freedom() const;  ///< of a Student t; infinite otherwise
+    double degrees_of_freedom() const;  ///< those of a Student t; infinite otherwise
     double density(double x) const;     ///< 0 where `has_jumps`
     bool has_jumps() const;             ///< discrete, Poisson, binomial: takes single values only
     double quantile(double p) const;    ///< inverse distribution function, 0 < p < 1
@@ -153,7 +153,7 @@ public:
     Distribution shifted(double d) const;
 
     std::string_view kind() const;   ///< key used in files: "normal", "student-t", "rectangular" ...
-    std::string_view title() const;  ///< for people: "normal", "Student t", "rectangular" ...
+    std::string_view title() const;  ///< name for people: "normal", "Student t", "rectangular" ...
 
     bool operator==(const Distribution& other) const;
 
@@ -188,7 +188,7 @@ const DistributionKindInfo* find_distribution_kind(std::string_view key);
 Result<Distribution> distribution_from(std::string_view kind, std::span<const double> parameters);
 /// The parameters in that order (SI).
 std::vector<double> distribution_parameters(const Distribution& distribution);
-/// Of so many parameters that are two lists, those of the first.
+/// Length of the first list, of this number of parameters that are two lists.
 std::size_t first_list_size(std::size_t parameters);
 /// The values that a distribution with jumps takes, with their probabilities (of far tails as much as can be
 /// drawn); nothing of one without.

@@ -8,7 +8,7 @@
 
 namespace covaria::detail {
 
-/// What is wrong with the parameters, naming the first bad one; empty if nothing is.
+/// Says what is wrong with the parameters, naming the first bad one; empty if nothing is.
 Message distribution_problem(const DistributionParameters& parameters);
 
 }  // namespace covaria::detail

@@ -24,8 +24,8 @@ struct Moments {
     double standard_deviation = 0.0;
 };
 
-/// By quadrature over scores: the closed forms lose all digits for narrow intervals and far tails. Outside 12
-/// from the most probable score nothing is left.
+/// Moments by quadrature over scores: the closed forms lose all digits for narrow intervals and far tails.
+/// The rest beyond 12 from the most probable score counts for nothing.
 Moments moments(const TruncatedNormal& t) {
     if (t.standard_deviation == 0.0 || t.low == t.high) return {std::clamp(t.mean, t.low, t.high), 0.0};
     const double a = (t.low - t.mean) / t.standard_deviation;
@@ -245,7 +245,7 @@ double density_at(const StatedHistogram& h, double x) {
     return h.probabilities[cell] / whole / (h.edges[cell + 1] - h.edges[cell]);
 }
 
-// Those with jumps have none.
+// Distributions with jumps have no density.
 double density_at(const Discrete&, double) {
     return 0.0;
 }

@@ -15,7 +15,7 @@ WelchSatterthwaite::WelchSatterthwaite(std::vector<Source> sources,
       set_of_(sources_.size(), InputSet::npos),
       terms_(sources_.size(), 0.0) {
     std::vector<ComponentCorrelation> links = correlations;
-    std::vector<std::size_t> member;  // of each estimate, the last one met
+    std::vector<std::size_t> member;  // last member met of each estimate
     for (std::size_t c = 0; c < sources_.size(); ++c) {
         const std::size_t estimate = sources_[c].estimate;
         if (estimate == InputSet::npos) continue;
@@ -78,7 +78,7 @@ void WelchSatterthwaite::add(const Part& part, Effective& result) {
     }
 }
 
-/// What the set of a part adds to 1/nu_eff, the first time that it is asked for one of its members.
+/// Adds the part of a set to 1/nu_eff when one of its members is first met; afterwards the set is empty.
 double WelchSatterthwaite::take(const Part& part) {
     const std::size_t estimate = sources_[part.component].estimate;
     if (estimate != InputSet::npos) of_estimate_[estimate] = 0.0;

@@ -18,10 +18,10 @@ namespace covaria::detail {
 /// degrees of freedom.
 class WelchSatterthwaite {
 public:
-    /// What the uncertainty of one component rests on.
+    /// Basis of the uncertainty of one component.
     struct Source {
         double degrees_of_freedom = infinity;
-        std::size_t estimate = InputSet::npos;  ///< of variance, shared with others
+        std::size_t estimate = InputSet::npos;  ///< estimate of variance, shared with others
     };
     struct Part {
         std::size_t component = 0;
@@ -42,7 +42,7 @@ private:
         std::size_t component = 0;
         double weight = 0.0;  ///< rho_jk / sqrt(nu_j nu_k)
     };
-    /// Of components that are correlated or share an estimate; sums between calls are zero.
+    /// Sums over components that are correlated or share an estimate; between calls they are zero.
     struct Set {
         double variance = 0.0, terms = 0.0, least = infinity;
     };
@@ -50,7 +50,7 @@ private:
     double take(const Part& part);
 
     std::vector<Source> sources_;
-    std::vector<std::vector<Partner>> partners_;  ///< with finite nu, another estimate; each pair once
+    std::vector<std::vector<Partner>> partners_;  ///< those with finite nu, another estimate; each pair once
     std::vector<std::size_t> set_of_;
     std::vector<Set> sets_;
     std::vector<double> terms_;        ///< P_j/u^2

@@ -28,14 +28,14 @@ struct GroupTag {
     bool operator==(const GroupTag&) const = default;
 };
 
-/// One component of uncertainty epsilon_j. Its index in InputSet::components is its address for random draws.
+/// A component of uncertainty epsilon_j. Its index in InputSet::components is its address for random draws.
 struct UncertaintyComponent {
     std::string id = {};  ///< unique in the set: "b_1x.calibration"
-    Message name = {};    ///< for people: "calibration of the artefact"
-    Unit unit = {};       ///< for display
+    Message name = {};    ///< name for people: "calibration of the artefact"
+    Unit unit = {};       ///< unit for display
     Distribution distribution = {};
     EvaluationType type = EvaluationType::type_b;
-    /// Of the standard uncertainty, which for few of them is itself an estimate: see `drawn_distribution`.
+    /// Degrees of freedom of the standard uncertainty; finite ones change the draws: `drawn_distribution`.
     double degrees_of_freedom = infinity;
     /// The user asks for normal draws in spite of finite degrees of freedom, which then count in the law of
     /// propagation alone.
@@ -44,15 +44,15 @@ struct UncertaintyComponent {
     bool held = false;    ///< held at its mean: contributes nothing ("ideal robot"); keeps its address
     /// Who brings it in, for results with all of a contributor held: the id of an asset, "" = the set-up.
     Name contributor = {};
-    Name contributor_name = {};  ///< for people; empty: as `contributor`
+    Name contributor_name = {};  ///< its name for people; empty: as `contributor`
     /// Id of the asset that states it, where that is not the contributor: a sensor of a network.
     std::string stated_by = {};
     std::vector<GroupTag> tags = {};  ///< beside those of its quantities
-    /// Of one point, whose coordinates share it only because they do not lie along its direction: an edit of
-    /// one of them takes its place there.
+    /// Belongs to one point, whose coordinates share it only because they do not lie along its direction: an
+    /// edit of one of them takes its place there.
     bool local = false;
-    /// Of an asset, or in a chain of models of one of them: one and the same component wherever it occurs in
-    /// a project ("tracker.scale"). Empty: of this set of inputs alone.
+    /// Name that a component of an asset, or of an asset's model in a chain, has wherever it occurs in a
+    /// project ("tracker.scale"). Empty: the component belongs to this set of inputs alone.
     std::string identity = {};
     /// JSON pointer, relative to the set-up, of the row of a table that states it ("/quantities/rows/3");
     /// empty: it is stated elsewhere.
@@ -62,7 +62,7 @@ struct UncertaintyComponent {
 /// An output of an analysis.
 struct OutputReference {
     std::string analysis;    ///< its id
-    std::string group = {};  ///< of the output
+    std::string group = {};  ///< group of the output
     std::string symbol = {};
     bool operator==(const OutputReference&) const = default;
 };
@@ -73,7 +73,7 @@ struct Share {
     bool operator==(const Share&) const = default;
 };
 
-/// How the components of one quantity combine.
+/// Rule by which the components of one quantity combine.
 enum class Combination {
     quadrature,  ///< independent components (JCGM 100 5.1.2)
     arithmetic,  ///< fully correlated: standard uncertainties add linearly
@@ -82,7 +82,7 @@ enum class Combination {
 struct InputQuantity {
     std::string symbol = {};  ///< "b_1x"
     Message name = {};        ///< "base point 1, x"
-    Unit unit = {};           ///< for display
+    Unit unit = {};           ///< unit for display
     double offset = 0.0;
     std::vector<Share> shares = {};
     Combination combination = Combination::quadrature;
@@ -92,7 +92,7 @@ struct InputQuantity {
     std::vector<GroupTag> tags = {};  ///< groups of contributions; kept when components are edited
     /// The set-up says that this output of another analysis is its value; it then has no components here.
     std::optional<OutputReference> taken_from = {};
-    std::string analysis = {};  ///< in a chain of models: id of the upstream analysis it belongs to
+    std::string analysis = {};  ///< id of the upstream analysis it belongs to, in a chain of models
 };
 
 /// Correlation coefficient between two components; copula.h says how they are drawn.
@@ -118,7 +118,7 @@ struct IsotropicVector {
 struct VarianceEstimate {
     std::string id = {};  ///< unique in the set: "plate.x"
     std::vector<std::size_t> components;
-    bool of_asset = false;  ///< as `UncertaintyComponent::identity`: the id names it in all of a project
+    bool of_asset = false;  ///< the id names it in all of a project, as `UncertaintyComponent::identity`
 };
 
 struct InputSet {
@@ -141,13 +141,13 @@ struct InputSet {
     static constexpr std::size_t npos = static_cast<std::size_t>(-1);
 };
 
-/// How people call a component: by the symbol of its quantity where that has no other, else by its id.
+/// Symbol of a component for people: that of its quantity where that has no other, else its id.
 std::string symbol_of_component(const InputSet& inputs, std::size_t component);
 
-/// Those stated, or those of its Student t distribution if these are fewer.
+/// The degrees of freedom stated, or those of its Student t distribution if these are fewer.
 double degrees_of_freedom_of(const UncertaintyComponent& component);
-/// What Monte Carlo draws: a normal or Student t distribution with finite degrees of freedom is the t
-/// distribution with these, scaled by the standard uncertainty (JCGM 101 6.4.9.4); others stay as they are.
+/// The distribution drawn by Monte Carlo. A normal or Student t distribution with finite degrees of freedom
+/// becomes the t with these, scaled by the standard uncertainty (JCGM 101 6.4.9.4); others stay.
 Distribution drawn_distribution(const UncertaintyComponent& component);
 
 /// x_i = offset + sum factor * mean(component): the estimate of quantity i.

@@ -33,7 +33,7 @@ struct Angle {
     Batch sine, cosine;
 };
 
-/// Of 2 pi (v - 1/2), by a Taylor polynomial for a quarter of the angle: the library's functions may take
+/// The angle 2 pi (v - 1/2), by a Taylor polynomial for a quarter of it: the library's functions may take
 /// another route for a lane when its neighbours change.
 Angle whole_turn(Batch v) {
     static constexpr std::array<double, 9> taylor{1.0,

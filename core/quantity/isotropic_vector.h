@@ -25,8 +25,8 @@ enum class RadialLaw {
 struct VectorLength {
     RadialLaw law = RadialLaw::sphere;
     double largest = 0.0;
-    double mean() const;                ///< of the length
-    double standard_deviation() const;  ///< of the length
+    double mean() const;                ///< mean length
+    double standard_deviation() const;  ///< standard deviation of the length
 };
 
 /// Distribution of one coordinate: curvilinear trapezoid with a triangle-like peak, beta (2, 2), rectangular.

@@ -57,7 +57,7 @@ private:
     std::vector<double> cumulative_;  ///< rising to 1
 };
 
-/// With w half the width, d the inexactness, c = w + d and x = centre - c(1 - e) on the lower ramp, the
+/// On the lower ramp, with w half the width, d the inexactness, c = w + d and x = centre - c(1 - e), the
 /// distribution function is (c/4d)(e + (1 - e) ln(1 - e)), the integral of the density of JCGM 101 6.4.3;
 /// straight between the ramps, which alone are inverted.
 class CurvilinearTrapezoidQuantile final : public QuantileFunction {

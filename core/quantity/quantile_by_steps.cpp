@@ -13,8 +13,8 @@ namespace {
 /// Below it nothing is ever drawn: uniform numbers have 53 bits.
 constexpr double never = 1e-22;
 
-/// From the most probable number outwards by the ratio of neighbours, so that nothing overflows: `up(n)` is
-/// P(n + 1)/P(n). DiscreteQuantile makes the sum one.
+/// Probabilities from the most probable number outwards by the ratio of neighbours, which never overflows:
+/// `up(n)` is P(n + 1)/P(n). DiscreteQuantile makes the sum one.
 template <class Up>
 Discrete outwards(double mode, double most, double step, double zero, Up up) {
     std::vector<double> below;
@@ -61,10 +61,10 @@ private:
     struct Cell {
         double low, high;
         double below;  ///< probability
-        double slope;  ///< of the quantile
+        double slope;  ///< slope of the quantile
     };
-    std::vector<Cell> cells_;         ///< those that have a probability
-    std::vector<double> cumulative_;  ///< at their ends, rising to 1
+    std::vector<Cell> cells_;         ///< cells that have a probability
+    std::vector<double> cumulative_;  ///< probabilities up to their ends, rising to 1
 };
 
 }  // namespace

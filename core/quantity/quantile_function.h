@@ -20,12 +20,12 @@ public:
 
 using QuantileFunctionPointer = std::shared_ptr<const QuantileFunction>;
 
-/// For parameters that passed `distribution_problem`.
+/// The quantile function for parameters that passed `distribution_problem`.
 QuantileFunctionPointer make_quantile_function(const DistributionParameters& parameters);
-/// Of location + factor * X.
+/// The quantile function of location + factor * X.
 QuantileFunctionPointer make_affine(QuantileFunctionPointer of_x, double location, double factor);
 
-// By kind; all widths are greater than zero.
+// The quantile functions of each kind; all widths are greater than zero.
 QuantileFunctionPointer make_curvilinear_trapezoid(const CurvilinearTrapezoid& parameters);
 QuantileFunctionPointer make_truncated_normal(const TruncatedNormal& parameters);
 QuantileFunctionPointer make_discrete(const Discrete& parameters);

@@ -13,7 +13,7 @@ class SharedInputs {
 public:
     SharedInputs() : SharedInputs(InputSet{}) {}
     SharedInputs(InputSet inputs) : inputs_(std::make_shared<const InputSet>(std::move(inputs))) {}
-    /// Not null.
+    /// Takes a set that others hold already; not null.
     SharedInputs(std::shared_ptr<const InputSet> inputs) : inputs_(std::move(inputs)) {}
 
     operator const InputSet&() const { return *inputs_; }

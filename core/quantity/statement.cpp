@@ -142,7 +142,7 @@ Made weibull(const Statement& s) {
     return about_its_mean(s, Weibull{0.0, *s.a, *s.b});
 }
 
-/// With the value as its mean and a standard deviation: their ratio r says the shape k, by
+/// Weibull distribution by the value, its mean, and a standard deviation: their ratio r gives the shape k by
 /// 1 + r^2 = Gamma(1 + 2/k)/Gamma(1 + 1/k)^2, which falls with k.
 Made weibull_of_deviation(const Statement& s) {
     if (!s.estimate || !(*s.estimate > 0.0))
@@ -167,7 +167,7 @@ Made weibull_of_deviation(const Statement& s) {
     return of_distribution(s, Weibull{-*s.estimate, scale, shape});
 }
 
-/// Of distributions that begin at the zero of the quantity, which a temperature in degC has none of.
+/// Whether the distribution begins at the zero of the quantity, which a temperature in degC does not have.
 bool begins_at_zero(std::string_view kind) {
     return kind == "exponential" || kind == "weibull" || kind == "weibull-deviation" || kind == "poisson" ||
            kind == "binomial" || kind == "counts";

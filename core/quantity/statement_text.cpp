@@ -15,13 +15,13 @@ namespace covaria {
 
 namespace {
 
-/// How a kind is noted: the first word is the one that is written.
+/// Notation of a kind: the first word is the one that is written.
 struct Notation {
     std::string_view kind;
     std::vector<std::string_view> words;
     std::string_view before_a = {};  ///< written between the word and the first figure
     std::string_view second = {};    ///< name of the second figure
-    int figures = 1;                 ///< that it has at the most
+    int figures = 1;                 ///< largest number of figures
     int needed = 1;
     bool has_unit = true;         ///< the first
     std::string_view first = {};  ///< name of the first figure, where it tells the kind from another one
@@ -241,7 +241,7 @@ private:
         return word == "±" || std::find(names.begin(), names.end(), word) != names.end();
     }
 
-    /// As it may stand behind the figures, where a letter is a unit: "0.01 % rectangular", but "3 s".
+    /// Whether a word may follow the figures, where a letter is a unit: "0.01 % rectangular", but "3 s".
     static bool is_notation_word(std::string_view text) {
         if (text.size() < 3) return false;
         const auto& all = notations();
@@ -342,7 +342,7 @@ private:
         return made;
     }
 
-    /// By its word, and U by what is said of it.
+    /// Finds the notation by its word, and that of U by what is said of it.
     const Notation* find() const {
         if (word_.empty())  // "75 nm, k = 2" is what a certificate says
             return of_kind(figures_.size() > 2 && second_.empty() && !joined_ ? "observations"
@@ -375,7 +375,7 @@ private:
         return notation.kind == "limits" ? unit_ : unit_.interval();
     }
 
-    /// Of the first figure; of limits, noted as "1 to 2 mm", also that of the second.
+    /// Unit of the first figure; for limits, noted as "1 to 2 mm", also that of the second.
     Result<Unit> stated_unit(const Notation& notation) const {
         const bool limits = notation.kind == "limits";
         const std::optional<Unit> typed = limits && !figures_[0].unit ? figures_[1].unit : figures_[0].unit;
@@ -444,7 +444,7 @@ private:
     const Unit& unit_;
     std::string word_, first_, second_;
     bool joined_ = false;    ///< "1 to 2"
-    bool weighted_ = false;  ///< what follows are weights
+    bool weighted_ = false;  ///< the figures that follow are weights
     std::vector<Figure> figures_, weights_;
     std::optional<double> degrees_of_freedom_;
 };
@@ -457,7 +457,7 @@ Result<TypedStatement> read_statement(std::string_view text, const Unit& unit, b
     const auto read_with = [&](bool groups) {
         return StatementReader(english, unit, decimal_comma, groups).run();
     };
-    // Between semicolons blanks can only part groups. Else figures in groups are what makes no sense as
+    // Blanks can only part groups between semicolons. Else figures in groups are what makes no sense as
     // several, if a word or a unit says what they are: "100 101" alone may be two readings.
     if (english.find(';') != std::string::npos)
         if (auto read = read_with(true)) return read;

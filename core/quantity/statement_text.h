@@ -13,15 +13,15 @@
 
 namespace covaria {
 
-/// What a budget's row states: figures in `unit`, or as they are where they have none.
+/// A statement as a budget's row states it: figures in `unit`, or as they are where they have none.
 struct TypedStatement {
     std::string kind = {};  ///< key of statement_kinds(), "constant", "observations", "pooled", "sample",
                             ///< "histogram"; empty: nothing
     std::optional<double> a = {}, b = {};
     std::optional<double> degrees_of_freedom = {};
-    std::string unit = {};                  ///< as a file has it; empty: the row's
-    std::vector<double> observations = {};  ///< in the unit of the row; of a histogram its edges
-    std::vector<double> weights = {};       ///< of a sample or histogram; empty: all alike
+    std::string unit = {};                  ///< unit as a file has it; empty: the row's
+    std::vector<double> observations = {};  ///< observations in the unit of the row; edges of a histogram
+    std::vector<double> weights = {};       ///< weights of a sample or histogram; empty: all alike
     bool operator==(const TypedStatement&) const = default;
 };
 

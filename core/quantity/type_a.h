@@ -10,8 +10,8 @@ namespace covaria {
 
 struct TypeA {
     double mean = 0.0;
-    double standard_deviation = 0.0;    ///< of a single observation, n - 1 (JCGM 100 4.2.2)
-    double standard_uncertainty = 0.0;  ///< of the mean: s/sqrt(n) (4.2.3)
+    double standard_deviation = 0.0;    ///< that of a single observation, n - 1 (JCGM 100 4.2.2)
+    double standard_uncertainty = 0.0;  ///< that of the mean: s/sqrt(n) (4.2.3)
     double degrees_of_freedom = 0.0;    ///< n - 1
 };
 

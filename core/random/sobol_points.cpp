@@ -10,7 +10,7 @@
 namespace covaria {
 namespace {
 
-constexpr std::size_t most_dimensions = 3667;  // of Boost's table
+constexpr std::size_t most_dimensions = 3667;  // dimensions of Boost's table
 
 /// 52 bits in the middle of their cell.
 double to_unit(std::uint64_t word) {

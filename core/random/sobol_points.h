@@ -19,12 +19,12 @@ public:
     SobolPoints(std::uint64_t seed, std::size_t components, std::size_t estimates,
                 std::uint64_t batch_trials);
     std::uint64_t batch_trials() const { return batch_trials_; }
-    /// As `uniforms`, with the seed of the constructor.
+    /// Fills u as `uniforms` does, with the seed of the constructor.
     void fill(DrawPurpose purpose, std::uint32_t address, std::uint64_t first_trial,
               std::span<double> u) const;
 
 private:
-    static constexpr std::size_t bits = 30;  ///< of the index of a point in its batch
+    static constexpr std::size_t bits = 30;  ///< bits of the index of a point in its batch
     struct Dimension {
         std::uint64_t directions[bits];
     };

@@ -18,9 +18,9 @@ struct UniformStream {
 inline constexpr std::size_t chunk_counters = 64;  // one chunk stays in the first-level cache
 inline constexpr std::size_t chunk_trials = 2 * chunk_counters;
 
-/// All draws of `chunk_counters` consecutive counters.
+/// Makes all draws of `chunk_counters` consecutive counters.
 void fill_chunk(const UniformStream& stream, std::uint64_t counter, double* u);
-/// The same bits; needs has_avx512().
+/// Makes the same bits; needs has_avx512().
 COVARIA_AVX512 void fill_chunk_avx512(const UniformStream& stream, std::uint64_t counter, double* u);
 
 }  // namespace covaria::detail

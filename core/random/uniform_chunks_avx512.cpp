@@ -16,7 +16,7 @@ struct WideCounters {
 };
 
 COVARIA_AVX512 inline void wide_round(WideCounters& c, __m512i k0, __m512i k1) {
-    constexpr int exclusive_or = 0x96;  // of three
+    constexpr int exclusive_or = 0x96;  // ternary logic: exclusive or of all three
     const __m512i p0 = _mm512_mul_epu32(_mm512_set1_epi64(philox_multiplier_0), c.c0);
     const __m512i p1 = _mm512_mul_epu32(_mm512_set1_epi64(philox_multiplier_1), c.c2);
     c.c0 = _mm512_ternarylogic_epi64(_mm512_srli_epi64(p1, 32), c.c1, k0, exclusive_or);

@@ -11,8 +11,8 @@ enum class DrawPurpose : std::uint32_t {
     trials = 0,              ///< the trials of a Monte Carlo run
     observations = 1,        ///< synthetic observations
     variance_estimates = 2,  ///< how far an estimate of variance lies off; its index for the component
-    design_starts = 3,       ///< of the search for a design; the number of the start for the component
-    sobol_shifts = 16        ///< of batches of Sobol points; and as many after it as there are purposes
+    design_starts = 3,       ///< starts of the search for a design; the number of the start for the component
+    sobol_shifts = 16        ///< in batches of Sobol points; and as many after it as there are purposes
 };
 
 /// u[t] = uniform draw of trial `first_trial + t` for one component, strictly inside (0, 1):

@@ -44,7 +44,7 @@ public:
     ComponentMatch(const OutputBudget& before, const OutputBudget& after)
         : before_(before), after_(after), partner_(after.size()), taken_(before.size(), false) {}
 
-    /// Of those that have no partner yet; rows of equal keys in their order.
+    /// Pairs the rows that have no partner yet by a key; rows of equal keys in their order.
     void by(Key (OutputBudget::*key)(std::size_t) const) {
         std::map<Key, std::vector<std::size_t>> free;
         for (std::size_t row = before_.size(); row-- > 0;)

@@ -1,4 +1,4 @@
-// One result beside another: which outputs are the same quantity, and what of their budgets changed.
+// Comparison of two results: which outputs are the same quantity, and what of their budgets changed.
 #pragma once
 
 #include <memory>
@@ -19,7 +19,7 @@ struct ComparedOutput {
 /// A component of the budget of one output.
 struct ComparedComponent {
     std::optional<std::size_t> before = {}, after = {};  ///< rows of the output's budget
-    /// What it brings into u_c^2 of the law of propagation, with its part of the covariances (may be
+    /// Parts of u_c^2 of the law of propagation, with the component's part of the covariances (may be
     /// negative); 0 where it is not.
     double variance_before = 0.0, variance_after = 0.0;
     double change() const { return variance_after - variance_before; }
@@ -28,7 +28,7 @@ struct ComparedComponent {
 struct ResultComparison {
     using Pointer = std::shared_ptr<const UncertaintyResult>;
     Pointer before, after;  ///< never null
-    /// In the order of `after`; then those that only `before` has.
+    /// Outputs in the order of `after`; then those that only `before` has.
     std::vector<ComparedOutput> outputs;
 
     const OutputResult* output_before(const ComparedOutput& output) const {

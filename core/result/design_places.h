@@ -1,4 +1,4 @@
-// Where a design stands in space: what was found, what was offered, the way of the search. Plain data; m, in
+// Places of a design in space: what was found, what was offered, the way of the search. Plain data; m, in
 // W.
 #pragma once
 
@@ -30,7 +30,7 @@ struct DesignObstacle {
 };
 
 struct DesignPlaces {
-    Layout layout{};  ///< of the chosen design; its items come from no field, because rows have moved up
+    Layout layout{};  ///< that of the chosen design; its items come from no field, because rows have moved up
     std::vector<DesignTrack> tracks{};
     std::vector<DesignObstacle> obstacles{};
 };

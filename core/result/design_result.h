@@ -1,4 +1,4 @@
-// What the search for a design found. Plain data; numbers of outputs are SI.
+// Result of the search for a design. Plain data; numbers of outputs are SI.
 #pragma once
 
 #include <cstddef>
@@ -17,11 +17,11 @@ namespace covaria {
 /// A number that was chosen.
 struct DesignValue {
     TypesetMessage title;  ///< "Targets, B: x"
-    Unit unit = {};        ///< of the following
+    Unit unit = {};        ///< unit of the following
     double from = 0.0, to = 0.0;
     double before = 0.0, chosen = 0.0;
     double tolerance = 0.0;
-    std::optional<double> cost{};  ///< of a reduction
+    std::optional<double> cost{};  ///< cost of a reduction
     /// Chosen at an end of what was allowed: a wider range can give a better design. The upper end of a
     /// reduction is no limit: it is left as it was.
     bool is_at_end() const;
@@ -29,15 +29,15 @@ struct DesignValue {
 
 /// A candidate row that was kept.
 struct DesignRow {
-    std::size_t row = 0;  ///< from 0, of the table and the CSV file behind it
+    std::size_t row = 0;  ///< row from 0, of the table and the CSV file behind it
     Message name;
     bool fixed = false;
-    bool added = false;               ///< of the CSV file
+    bool added = false;               ///< row of the CSV file
     std::optional<double> without{};  ///< objective of the design without this row; empty: it has no result
-    std::optional<double> price{};    ///< where it is about cost
+    std::optional<double> price{};    ///< set where the objective is about cost
 };
 
-/// What a row of the table gains, kept or not, with the others as chosen.
+/// Gain by a row of the table, kept or not, with the others as chosen.
 struct DesignGain {
     std::size_t row = 0;
     Message name;
@@ -66,8 +66,8 @@ struct DesignGoal {
     std::optional<bool> validated{};      ///< JCGM 101 clause 8
     bool is_close = false;                ///< other trials could give the other verdict on that
     std::optional<double>
-        price_of_target{};  ///< of reductions: what the target costs, per SI unit less of it
-    /// Where clause 8 does not validate first order, Monte Carlo must meet the target too.
+        price_of_target{};  ///< what the target costs in reductions, per SI unit less of it
+    /// Whether the target is met; where clause 8 does not validate first order, also by Monte Carlo.
     bool met() const;
 };
 
@@ -76,7 +76,7 @@ struct DesignStep {
     std::uint64_t evaluation = 0;
     Message search;                ///< "greedy", "exchange", "start 3"
     double objective = 0.0;        ///< or the cost, where it is about cost
-    std::vector<double> values{};  ///< of the variables
+    std::vector<double> values{};  ///< values of the variables
 };
 
 /// The best objective that was found with so many rows.
@@ -85,7 +85,7 @@ struct DesignCount {
     double objective = 0.0;
 };
 
-/// What reductions cost when all targets are so much wider.
+/// Cost of the reductions when all targets are so much wider.
 struct DesignCost {
     double largest_ratio = 1.0;  ///< U/target
     double cost = 0.0;
@@ -99,35 +99,35 @@ struct DesignReason {
 struct DesignResult {
     std::string id, name, analysis;
     std::string objective_words;     ///< "largest U/target"
-    bool found = false;              ///< else nothing that was tried has a result
+    bool found = false;              ///< false: nothing that was tried has a result
     bool proved = false;             ///< all choices of rows were evaluated
     std::optional<double> before{};  ///< objective of the present design; empty: it has no result
     Message why_not_before;          ///< then why
-    double objective = 0.0;          ///< where it is about cost the largest U/target
+    double objective = 0.0;          ///< largest U/target, where it is about cost
     std::vector<DesignValue> values;
-    std::vector<DesignRow> rows;  ///< those kept, in their order
+    std::vector<DesignRow> rows;  ///< rows that are kept, in their order
     std::size_t candidates = 0;
-    std::vector<DesignGain> gains;      ///< of all candidate rows
-    std::vector<DesignSource> sources;  ///< by falling gain
+    std::vector<DesignGain> gains;      ///< gains of all candidate rows
+    std::vector<DesignSource> sources;  ///< sources by falling gain
     std::vector<DesignGoal> goals;
     std::vector<DesignCount> curve;
     std::vector<DesignStep> path;
-    std::optional<double> cost{};   ///< of the reductions or rows
-    std::vector<DesignCost> front;  ///< likewise, by rising ratio
+    std::optional<double> cost{};   ///< cost of the reductions or rows
+    std::vector<DesignCost> front;  ///< costs by rising ratio
     std::uint64_t evaluations = 0;
-    std::vector<DesignReason> reasons;            ///< of evaluations without result, by falling count
-    std::uint64_t trials = 0, failed_trials = 0;  ///< of the verification
+    std::vector<DesignReason> reasons;            ///< why evaluations had no result, by falling count
+    std::uint64_t trials = 0, failed_trials = 0;  ///< trials of the verification
     Message not_verified;                         ///< why there is none
     std::uint64_t seed = 0;
     double coverage_probability = 0.95;
-    std::string fingerprint;  ///< of the analysis that was searched from
-    DesignPlaces places;      ///< of what was found; no part of files
+    std::string fingerprint;  ///< that of the analysis that was searched from
+    DesignPlaces places;      ///< places of what was found; no part of files
 
     /// Found, and every goal with a target meets it.
     bool met() const;
 };
 
-/// It was found, and a candidate or something that its variables move has a place to be shown at.
+/// Whether it was found, and a candidate or something that its variables move has a place to be shown at.
 bool stands_in_space(const DesignResult& design);
 
 }  // namespace covaria

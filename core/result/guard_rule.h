@@ -1,4 +1,4 @@
-// By which rule the guard band of a tolerance is chosen.
+// Rules by which the guard band of a tolerance is chosen.
 #pragma once
 
 namespace covaria {
@@ -11,7 +11,7 @@ enum class GuardRule {
     dobbert,        ///< managed guard band: w = U (1.04 - exp(0.38 ln TUR - 0.54)), at most 2 % false accepts
     specific_risk,  ///< a result at the acceptance limit has the target risk not to conform
     global_risk,    ///< the global consumer's risk is the target, for the prior
-    accepted_risk,  ///< of what is accepted, the target does not conform, for the prior
+    accepted_risk,  ///< the part of what is accepted that does not conform is the target, for the prior
 };
 
 /// Needs both limits of a tolerance.

@@ -42,7 +42,7 @@ std::optional<Eigen::MatrixXd> JointCovariance::of_outputs(
     std::vector<std::size_t> rows;
     for (const PointCoordinates& point : points)
         rows.insert(rows.end(), point.index.begin(), point.index.end());
-    // Of thousands of outputs the trials keep no pair of two groups: the law of propagation has all.
+    // The trials of thousands of outputs keep no pair of two groups: the law of propagation has all.
     const auto block_of = [&](std::size_t row) {
         return all.blocks().block_of(static_cast<Eigen::Index>(row));
     };

@@ -14,7 +14,7 @@ namespace covaria {
 struct PointCoordinates {
     enum class Kind { inputs, outputs };
     Kind kind = Kind::outputs;
-    std::array<std::size_t, 3> index = {};  ///< of the result's input or output quantities
+    std::array<std::size_t, 3> index = {};  ///< indices of the result's input or output quantities
     Eigen::Matrix3d R_WQ = Eigen::Matrix3d::Identity();
     bool operator==(const PointCoordinates&) const = default;
 };
@@ -37,7 +37,7 @@ private:
     Eigen::RowVectorXd sensitivities(PointCoordinates::Kind kind, std::size_t quantity) const;
 
     const UncertaintyResult& result_;
-    std::vector<double> u_;  ///< of the components; 0 where held
+    std::vector<double> u_;  ///< u of the components; 0 where held
     std::vector<ComponentCorrelation> correlations_;
 };
 

@@ -22,7 +22,7 @@ OutputBlocks OutputBlocks::of(const std::vector<OutputQuantity>& outputs) {
     std::map<std::string, std::size_t> last;  // output of each group
     for (std::size_t j = 0; j < outputs.size(); ++j) last[outputs[j].group] = j;
     std::vector<Block> blocks;
-    std::size_t end = 0;  // of the block that is being made: groups that interlock share one
+    std::size_t end = 0;  // end of the block that is being made: groups that interlock share one
     for (std::size_t j = 0; j < outputs.size(); ++j) {
         if (j >= end) blocks.push_back({static_cast<Eigen::Index>(j), 0});
         ++blocks.back().size;

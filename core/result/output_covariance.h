@@ -18,11 +18,11 @@ public:
     };
 
     OutputBlocks() = default;
-    /// One block.
+    /// Makes one block.
     explicit OutputBlocks(Eigen::Index outputs);
     explicit OutputBlocks(std::vector<Block> blocks);
-    /// One block of up to `most_in_one_block` outputs: the matrix of more would be the largest thing of a
-    /// result, in memory and in files, and hardly anybody reads it. Of more, a block for each group.
+    /// Makes one block of up to `most_in_one_block` outputs, else one for each group: the matrix of more
+    /// would be the largest thing of a result, in memory and in files, and hardly anybody reads it.
     static OutputBlocks of(const std::vector<OutputQuantity>& outputs);
     static constexpr std::size_t most_in_one_block = 1500;
 
@@ -33,14 +33,14 @@ public:
 
 private:
     std::vector<Block> blocks_;
-    std::vector<std::size_t> block_of_;  ///< by output
+    std::vector<std::size_t> block_of_;  ///< block of each output
 };
 
 /// A symmetric matrix of which the blocks are kept; between blocks it is not known (NaN).
 class OutputCovariance {
 public:
     OutputCovariance() = default;
-    /// Of every pair. Not explicit: a matrix is a covariance of one block.
+    /// Covariance of every pair. Not explicit: a matrix is a covariance of one block.
     OutputCovariance(Eigen::MatrixXd all);
     template <typename Derived>
     OutputCovariance(const Eigen::MatrixBase<Derived>& all) : OutputCovariance(Eigen::MatrixXd(all)) {}
@@ -50,7 +50,7 @@ public:
     const OutputBlocks& blocks() const { return blocks_; }
     Eigen::Index rows() const { return blocks_.outputs(); }
     bool is_whole() const { return blocks_.is_one(); }
-    /// Every pair; only where it is whole.
+    /// The covariance of every pair; only where it is whole.
     const Eigen::MatrixXd& whole() const;
     Eigen::MatrixXd& whole();
     Eigen::MatrixXd& block(std::size_t k) { return values_[k]; }
@@ -67,7 +67,7 @@ public:
 
 private:
     OutputBlocks blocks_;
-    std::vector<Eigen::MatrixXd> values_;  ///< by block
+    std::vector<Eigen::MatrixXd> values_;  ///< matrix of each block
 };
 
 }  // namespace covaria

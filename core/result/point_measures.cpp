@@ -8,8 +8,8 @@
 namespace covaria {
 namespace {
 
-constexpr double largest_shift = 0.1;   // of u, by terms of the second order
-constexpr double largest_spread = 0.1;  // of a way's length, rad
+constexpr double largest_shift = 0.1;   // largest shift by terms of the second order, in u
+constexpr double largest_spread = 0.1;  // largest spread of a way's length, rad
 
 double root(double variance) {
     return std::sqrt(std::max(0.0, variance));

@@ -1,5 +1,5 @@
-// Whether a result of Monte Carlo still says what the measurand may be: trials without a value are no random
-// choice, so that with more than one in a hundred of them what is left is biased.
+// Check whether a result of Monte Carlo still says what the measurand may be: trials without a value are no
+// random choice, so that with more than one in a hundred of them what is left is biased.
 #pragma once
 
 #include <string>
@@ -19,12 +19,12 @@ inline bool represents_measurand(const UncertaintyResult& result) {
     return represents_measurand(result.trials, result.failed_trials);
 }
 
-/// Of requirements on such a result: "the result does not represent the measurand: ...".
+/// Words about requirements on such a result: "the result does not represent the measurand: ...".
 Message why_not_judged();
 
 /// Points of a study that have values, of too few trials.
 std::vector<std::size_t> not_representing(const StudyResult& study);
-/// What is to be said of a point of a study: why it has no values, or that they are of too few trials.
+/// Remark on a point of a study: why it has no values, or that they are of too few trials.
 Message remark_on(const StudyResult& study, std::size_t point);
 
 }  // namespace covaria

@@ -80,7 +80,7 @@ void state_expanded_uncertainty(OutputResult& output, const UncertaintyResult& r
         case ExpandedBy::interval: {
             const CoverageInterval interval = coverage_interval_of(output, result);
             output.expanded_uncertainty = 0.5 * (interval.high - interval.low);
-            output.coverage_factor = output.first_order.coverage_factor;  // of a constant: any
+            output.coverage_factor = output.first_order.coverage_factor;  // a constant has any
             if (u > 0.0)
                 output.coverage_factor = std::isfinite(u) ? output.expanded_uncertainty / u
                                                           : std::numeric_limits<double>::quiet_NaN();

@@ -1,4 +1,4 @@
-// What the result line of an output states: which U it is, its interval, its coverage factor.
+// Result line of an output: which U it states, its interval, its coverage factor.
 #pragma once
 
 #include <string>
@@ -7,19 +7,19 @@
 
 namespace covaria {
 
-/// Where the expanded uncertainty of a result comes from.
+/// Source of the expanded uncertainty of a result.
 enum class ExpandedBy {
     degrees_of_freedom,  ///< law of propagation: U = k_p(nu_eff) u (JCGM 100 G.4)
     interval,            ///< Monte Carlo: half the width of the symmetric coverage interval, k = U/u
     fixed_factor,        ///< U = k u with the k that the user fixed, either method
 };
 ExpandedBy expanded_by(const UncertaintyResult& result);
-/// For scripts: "effective-degrees-of-freedom", "half-interval", "fixed-factor".
+/// Key of that source for scripts: "effective-degrees-of-freedom", "half-interval", "fixed-factor".
 std::string expanded_key(const UncertaintyResult& result);
 /// The same as a sentence: "U is half the width of the ... coverage interval, k = U/u."
 Message expanded_words(const UncertaintyResult& result);
-/// Whether U is of trials in which components with finite degrees of freedom were drawn normal, by choice:
-/// its k is not that of a t distribution for nu_eff (JCGM 100 G.6.4).
+/// Whether U comes from trials in which components with finite degrees of freedom were drawn normal, by
+/// choice: its k is not that of a t distribution for nu_eff (JCGM 100 G.6.4).
 bool leaves_out_degrees_of_freedom(const UncertaintyResult& result);
 
 /// Fills in U and k of the result line from its u, its interval (Monte Carlo) or nu_eff. k is NaN where it

@@ -1,4 +1,4 @@
-// How the results of a project are stated: units and digits. No number depends on it.
+// Style in which the results of a project are stated: units and digits. No number depends on it.
 #pragma once
 
 #include <optional>
@@ -16,7 +16,7 @@ bool same_units(const DisplayUnits& a, const DisplayUnits& b);
 DisplayUnits with_preferred(const DisplayUnits& units, const DisplayUnits& preferred);
 
 struct ResultStyle {
-    DisplayUnits units = {};         ///< for outputs of their dimensions; others as the model gives them
+    DisplayUnits units = {};         ///< units of outputs by dimension; others as the model gives them
     std::optional<int> digits = {};  ///< significant ones of uncertainties; empty: two
     bool operator==(const ResultStyle& other) const {
         return same_units(units, other.units) && digits == other.digits;
@@ -25,7 +25,7 @@ struct ResultStyle {
 
 /// Gives an output the unit of the style.
 void take_style(OutputQuantity& output, const ResultStyle& style);
-/// Likewise the outputs of a result, whose numbers stay.
+/// Takes the style for the outputs of a result, whose numbers stay.
 void take_style(UncertaintyResult& result, const ResultStyle& style);
 
 }  // namespace covaria

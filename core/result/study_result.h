@@ -15,10 +15,10 @@ namespace covaria {
 
 struct StudyAxisValues {
     TypesetMessage title;  ///< "Targets, B: x"
-    Unit unit = {};        ///< of the values as typed and shown
+    Unit unit = {};        ///< unit of the values as typed and shown
     bool logarithmic = false;
-    std::vector<double> values;  ///< in `unit`: factors, differences or values
-    double present = 0.0;        ///< of the unchanged analysis, in `unit`
+    std::vector<double> values;  ///< factors, differences or values, in `unit`
+    double present = 0.0;        ///< value of the unchanged analysis, in `unit`
 };
 
 struct StudyValue {
@@ -29,15 +29,15 @@ struct StudyValue {
 
 /// Three outputs that are the coordinates of a point.
 struct StudyTriple {
-    Name name;                             ///< of the point
+    Name name;                             ///< name of the point
     std::array<std::size_t, 3> outputs{};  ///< indices into StudyResult::outputs
 };
 
-/// Where such a point is, and how uncertain.
+/// Place and uncertainty of such a point.
 struct StudyPlace {
     Eigen::Vector3d p_W = Eigen::Vector3d::Zero();
     Eigen::Matrix3d R_WQ = Eigen::Matrix3d::Identity();    ///< axes of the three coordinates
-    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< of the three outputs, in those axes
+    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< covariance of the three outputs, in those axes
     double standard_uncertainty() const;  ///< u_3D: square root of the trace of the covariance
 };
 
@@ -56,25 +56,25 @@ struct StudyResult {
     std::vector<StudyTriple> triples;
     std::vector<StudyPoint> points;  ///< the last axis varies fastest
     std::vector<Message> reasons;    ///< [0] is empty
-    std::uint64_t trials = 0;        ///< at each point; 0 = first order
+    std::uint64_t trials = 0;        ///< number at each point; 0 = first order
     std::uint64_t seed = 0;
     double coverage_probability = 0.95;
-    std::string fingerprint;  ///< of everything that influences these numbers
+    std::string fingerprint;  ///< hash of everything that influences these numbers
 
     /// Indices of a point on the axes.
     std::vector<std::size_t> indices_of(std::size_t point) const;
     std::size_t failed() const;  ///< number of points without values
 };
 
-/// What can be shown of a study as one number at each point: the expanded uncertainty of an output, or u_3D
-/// of a point's position.
+/// Quantity that can be shown of a study as one number at each point: the expanded uncertainty of an output,
+/// or u_3D of a point's position.
 struct StudyQuantity {
     std::string id;  ///< plain, for names of files: "U(theta_1), B"
-    Text title;      ///< as people read it: "U(θ₁), B", "u(3D), B"
-    Text symbol;     ///< likewise: "U(θ₁)"
+    Text title;      ///< title for people: "U(θ₁), B", "u(3D), B"
+    Text symbol;     ///< symbol for people: "U(θ₁)"
     Unit unit = {};
     bool position = false;  ///< u_3D of a triple
-    std::size_t index = 0;  ///< of the output or triple
+    std::size_t index = 0;  ///< index of the output or triple
 };
 std::vector<StudyQuantity> study_quantities(const StudyResult& study, const DocumentLanguage& in = {});
 /// NaN where the point has no values.

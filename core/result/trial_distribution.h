@@ -15,8 +15,8 @@ struct TrialDistribution {
     double inside(double low, double high) const;
 
 private:
-    double below(double limit) const;  ///< of trials < limit
-    double up_to(double limit) const;  ///< of trials <= limit
+    double below(double limit) const;  ///< share of trials < limit
+    double up_to(double limit) const;  ///< share of trials <= limit
 };
 
 }  // namespace covaria

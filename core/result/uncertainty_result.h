@@ -57,7 +57,7 @@ struct NormalityVerdict {
     double skewness_z = 0.0;  ///< skewness / its standard error under normality
     double kurtosis_z = 0.0;
     double coverage_ratio = 1.0;  ///< (q_high - q_low) / (2 k_normal u): 1 for a normal distribution
-    bool acceptable = true;       ///< for stating U = k u; else the coverage interval is to be stated
+    bool acceptable = true;       ///< U = k u may be stated; else the coverage interval
     Message words;                ///< "normal within 1 %", "too heavy-tailed for k u"
 };
 
@@ -75,9 +75,9 @@ struct MonteCarloOutput {
     double maximum = 0.0;
     NormalityVerdict normality;
     Histogram histogram;
-    std::vector<double> quantiles;  ///< at (i - 0.5)/n, i = 1..n (n = 199): for the Q-Q chart
+    std::vector<double> quantiles;  ///< quantiles at (i - 0.5)/n, i = 1..n (n = 199): for the Q-Q chart
     TrialDistribution distribution;
-    std::optional<ReducedVariance> reduced = {};  ///< of mean, u, the symmetric interval; the rest is plain
+    std::optional<ReducedVariance> reduced = {};  ///< mean, u, the symmetric interval; the rest is plain
 };
 
 struct OutputResult {
@@ -96,7 +96,7 @@ struct BudgetRow {
     std::size_t component = 0;  ///< index into UncertaintyBudget::components
     double sensitivity = 0.0;   ///< c = dy/d epsilon, through every quantity that shares the component
     double contribution = 0.0;  ///< |c| u
-    double share = 0.0;  ///< of the variance, with its part of the covariances (may be negative); sums to 1
+    double share = 0.0;  ///< share of the variance, with its part of covariances (may be negative); sums to 1
     std::optional<double> one_at_a_time = {};  ///< u(y) by Monte Carlo with everything else held
 };
 
@@ -111,10 +111,10 @@ struct BudgetComponent {
     double degrees_of_freedom = infinity;
     bool held = false;
     std::vector<std::string> quantities;  ///< symbols of all quantities that have a share in it
-    Name group;                           ///< of the first of them
+    Name group;                           ///< group of the first of them
     std::vector<GroupTag> tags = {};      ///< its own and those of that quantity
-    double estimate = 0.0;                ///< of that quantity
-    Unit quantity_unit = {};              ///< likewise, for display
+    double estimate = 0.0;                ///< estimate of that first quantity
+    Unit quantity_unit = {};              ///< its unit, for display
 };
 
 /// Per output, the rows sorted by falling |share|.
@@ -124,8 +124,8 @@ struct UncertaintyBudget {
         rows;  ///< [output][...]; without zero sensitivities, unless few components have no other
 };
 
-/// What remains when everything that one contributor brings in is held ("ideal robot"), and what it gives
-/// alone: standard uncertainty of each output.
+/// Result with everything held that one contributor brings in ("ideal robot"), and from it alone: standard
+/// uncertainty of each output.
 struct ContributorResult {
     struct Uncertainties {
         std::vector<double> first_order;
@@ -133,29 +133,29 @@ struct ContributorResult {
         std::uint64_t failed_trials = 0;
     };
     Name contributor;            ///< its name; with its id where two have one name; "" = the set-up
-    std::size_t components = 0;  ///< that it brings in
+    std::size_t components = 0;  ///< number that it brings in
     Uncertainties without, alone;
 };
 
-/// What the components of one group contribute to one output.
+/// Contribution of the components of one group to one output.
 struct GroupContribution {
     Name group;                 ///< "joint 4"
     double contribution = 0.0;  ///< root of the sum of squares of |c| u, of independent components
-    double share = 0.0;         ///< of the variance, with covariances
+    double share = 0.0;         ///< share of the variance, with covariances
 };
 
 /// Shares of the variance by one component, or by several that are not independent of each other (Sobol 1993;
 /// Saltelli et al. 2010; Jansen 1999).
 struct SobolIndex {
-    std::string name;                     ///< for people: ids of the first components
+    std::string name;                     ///< ids of the first components, for people
     std::vector<std::size_t> components;  ///< indices into InputSet::components
-    double first = 0.0;                   ///< by itself
-    double total = 0.0;                   ///< with all its interactions
+    double first = 0.0;                   ///< share by itself
+    double total = 0.0;                   ///< share with all its interactions
     double first_standard_error = 0.0;
     double total_standard_error = 0.0;
 };
 
-/// Of one output; SI.
+/// A requirement on one output; SI.
 struct OutputRequirement {
     std::size_t output = 0;
     std::optional<double> target_uncertainty = {};
@@ -163,7 +163,7 @@ struct OutputRequirement {
     double guard_factor = 1.0;  ///< r of the decision rule w = r U
     std::optional<double> prior_mean = {}, prior_standard_deviation = {};
     GuardRule guard_rule = GuardRule::factor;
-    double target_risk = 0.02;  ///< of the rules that have one
+    double target_risk = 0.02;  ///< target of the rules that have one
 };
 
 /// A requirement and how the result stands to it: made of both whenever it is looked at.
@@ -174,7 +174,7 @@ struct RequirementResult : OutputRequirement {
     bool meets_target = true;
 
     double guard_band = 0.0;  ///< w
-    /// Of the value that the result line states.
+    /// Decision about the value that the result line states.
     enum class Decision { none, accept, reject } decision = Decision::none;
     /// Probability of conformance p_c (JCGM 106 7), by the distribution that the result line states: the
     /// trials, or Student's t with nu_eff about y with scale u, which is normal for infinite nu_eff.
@@ -221,11 +221,11 @@ struct UncertaintyResult {
     std::vector<OutputResult> outputs;
     SharedInputs inputs;          ///< as evaluated (edits applied)
     OutputCovariance covariance;  ///< Monte Carlo where it ran, else first order
-    /// Where Monte Carlo ran, the one of first order.
+    /// Covariance of first order, where Monte Carlo ran.
     std::optional<OutputCovariance> covariance_before_trials = {};
     UncertaintyBudget budget;
     std::vector<ContributorResult> contributors;  ///< empty with fewer than two
-    std::uint64_t contributor_trials = 0;         ///< of their Monte Carlo part
+    std::uint64_t contributor_trials = 0;         ///< trials of their Monte Carlo part
     std::vector<CoverageRegion> regions;
     std::vector<std::vector<SobolIndex>>
         sobol;  ///< [output][...], by falling total index; empty unless asked for
@@ -245,10 +245,10 @@ struct UncertaintyResult {
     Provenance provenance;
 };
 
-/// As it is stated: where u of an output does not exist (infinite, by Monte Carlo), neither do its
-/// covariances, which the matrix has from the trials that happened to be made: NaN.
+/// Covariance as it is stated: where u of an output does not exist (infinite, by Monte Carlo), neither do
+/// its covariances, which the matrix has from the trials that happened to be made: NaN.
 OutputCovariance existing_covariance(const UncertaintyResult& result);
-/// By the law of propagation of uncertainty.
+/// Covariance by the law of propagation of uncertainty.
 const OutputCovariance& first_order_covariance(const UncertaintyResult& result);
 
 /// Least gain of variance reduction at the interval ends of the measurands; empty without variance reduction,

@@ -1,4 +1,4 @@
-// How the trials of a Monte Carlo run were made to tell more than as many plain ones.
+// Variance reduction: how the trials of a Monte Carlo run were made to tell more than as many plain ones.
 #pragma once
 
 #include <string>
@@ -14,16 +14,16 @@ enum class VarianceReduction {
 /// Key in files: "none", "control-variate", "sobol".
 std::string_view key_of(VarianceReduction reduction);
 
-/// One number for each figure of an output.
+/// Numbers for the figures of an output.
 struct OutputFigures {
     double mean = 0.0;
     double standard_uncertainty = 0.0;
     double low = 0.0, high = 0.0;  ///< ends of the probabilistically symmetric interval
 };
 
-/// What variance reduction did for one output.
+/// Effect of variance reduction on one output.
 struct ReducedVariance {
-    OutputFigures standard_errors;  ///< from batches; NaN: too few, or a figure of infinite variance
+    OutputFigures standard_errors;  ///< errors from batches; NaN: too few, or a figure of infinite variance
     OutputFigures gains;            ///< variance of plain trials, as many, over that of the figure; NaN: same
     std::string plain_because;      ///< not empty: nothing was gained by a control variate, and why
 };

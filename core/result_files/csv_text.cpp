@@ -23,7 +23,8 @@ bool would_be_computed(const std::string& cell) {
            std::string_view("=+-@\t\r\n").find(cell[first]) != std::string_view::npos;
 }
 
-/// Where lists are separated by semicolons (a German Excel), or by tabs, a text is several cells.
+/// Text that no spreadsheet takes for a formula: where lists are parted by semicolons (a German Excel), or by
+/// tabs, it is several cells.
 std::string inert(const std::string& text) {
     std::string out;
     for (std::size_t begin = 0; begin <= text.size();) {

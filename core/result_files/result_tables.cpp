@@ -113,7 +113,7 @@ Table matrix_table(const UncertaintyResult& result, Eigen::MatrixXd matrix, cons
     return table;
 }
 
-/// Of thousands of outputs: the pairs of a group, of a point its three coordinates.
+/// Pairs of thousands of outputs: those of a group, and of a point its three coordinates.
 Table pairs_table(const UncertaintyResult& result) {
     Table table = table_with("covariance", "covariance",
                              {"group", "output", "other output", "unit", "other unit",
@@ -174,7 +174,7 @@ Table histograms_table(const UncertaintyResult& result) {
     return table;
 }
 
-/// One row for an output and a contributor.
+/// Rows for each output and contributor.
 Table contributors_table(const UncertaintyResult& result) {
     Table table =
         table_with("contributors", "Standard uncertainties without each contributor, and of it alone",
@@ -249,7 +249,7 @@ Table requirements_table(const UncertaintyResult& result, const std::vector<Requ
 
 namespace {
 
-/// All but results and budget.
+/// Calls `take` for all tables but results and budget.
 void each_further_table(const Project& project, const EvaluatedAnalysis& evaluated,
                         const std::function<void(const Table&)>& take) {
     const UncertaintyResult& result = *evaluated.result;

@@ -26,7 +26,7 @@ std::string number_text(const OrderedJson& value) {
     return std::isfinite(number) ? format_exact(number) : "null";
 }
 
-/// Also of a name of a file that is no text in UTF-8; control characters as their numbers.
+/// JSON as text, also of a file name that is no UTF-8; control characters as their numbers.
 std::string text_of(const OrderedJson& value) {
     const std::string text = value.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
     if (printable(text) == text) return text;
@@ -224,7 +224,7 @@ OrderedJson sobol_json(const UncertaintyResult& result) {
     return list;
 }
 
-/// What it takes to meet a target; nothing where that cannot be said.
+/// Adds the reductions that meet a target; nothing where that cannot be said.
 void add_reductions(const EvaluatedAnalysis& evaluated, const RequirementResult& r, OrderedJson& json) {
     const UncertaintyResult& result = *evaluated.result;
     const auto budget =

@@ -1,4 +1,4 @@
-// How a member of a typed set-up takes what was given for its field or column.
+// Binding of a member of a typed set-up to what was given for its field or column.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -14,15 +14,15 @@ namespace covaria {
 
 class AssetLibrary;  // core/model/asset.h
 
-/// What is being read: its place in the set-up ("/points/rows/2/x"), and what it may refer to.
+/// A reading of one field: its place in the set-up ("/points/rows/2/x"), and what it may refer to.
 struct FieldReading {
     std::string place;
     const AssetLibrary& assets;
     Problems& problems;
 };
 
-/// For each type of a member: the kind of its field, and `read`, which takes a value that is there and has
-/// passed check_setup. A value of another kind is a programming error (std::bad_variant_access).
+/// The binding of each type of a member: the kind of its field, and `read`, which takes a value that is there
+/// and has passed check_setup. A value of another kind is a programming error (std::bad_variant_access).
 template <class M>
 struct Bound;
 
@@ -84,7 +84,7 @@ struct Bound<PoseValue> {
     }
 };
 
-/// Nothing where nothing is given.
+/// An optional member stays empty where nothing is given.
 template <class M>
 struct Bound<std::optional<M>> {
     static constexpr FieldKind kind = Bound<M>::kind;

@@ -16,7 +16,7 @@ namespace {
 // Figures beyond this are refused: squares and sums of squares of what is below it stay finite numbers.
 constexpr double largest_figure = 1e100;
 
-// What one field or one column of a table asks of a value.
+// Demands of one field or one column of a table on a value.
 struct Demand {
     const std::string& name;
     FieldKind kind;
@@ -24,7 +24,7 @@ struct Demand {
     const Range& range;
     const std::vector<Choice>& choices;
     bool infinity_allowed = false;
-    const FieldSpec* table = nullptr;  // of a cell
+    const FieldSpec* table = nullptr;  // table of a cell
     std::size_t row = 0;
 
     // Only of what is wrong: tables have a hundred thousand cells.

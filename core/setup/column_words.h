@@ -1,4 +1,4 @@
-// What a column of a table is called in messages.
+// Words for a column of a table in messages.
 #pragma once
 
 #include "core/base/message.h"

@@ -1,4 +1,4 @@
-// What a field takes, in words: for the command line and the pages of help.
+// Words for what a field takes: for the command line and the pages of help.
 #pragma once
 
 #include <string>

@@ -20,21 +20,21 @@ namespace covaria {
 template <class E>
 struct ChoiceOf {
     E value;
-    const char* key;    ///< in files
-    std::string title;  ///< for people
+    const char* key;    ///< name in files
+    std::string title;  ///< name for people
 };
 
-/// What a field or column may have beside key, title and help; see FieldSpec.
+/// Further properties of a field or column beside key, title and help; see FieldSpec.
 struct Further {
     Unit unit = {};
     Range range = {};
-    SetupValue default_value = {};  ///< of a field
+    SetupValue default_value = {};  ///< default of a field
     bool optional = false;
-    std::size_t min_rows = 0;      ///< of a table
-    bool several_lines = false;    ///< of a text
-    std::string file_ending = {};  ///< of a text that names a file
-    bool observed = false;         ///< of a column
-    bool measured = false;         ///< of a table
+    std::size_t min_rows = 0;      ///< fewest rows of a table
+    bool several_lines = false;    ///< a text has several lines
+    std::string file_ending = {};  ///< ending of the file that a text names
+    bool observed = false;         ///< a column has observations
+    bool measured = false;         ///< a table has what was measured
 };
 
 /// Three columns alike with these keys as titles; '*' in the help is the axis, x, y or z.
@@ -83,18 +83,18 @@ Spec spec_of(std::string key, std::string title, std::string help, Further more)
     return spec;
 }
 
-/// What stands in a cell, as the value of a field.
+/// Content of a cell as the value of a field.
 SetupValue value_of_cell(const SetupCell& cell, const Unit& unit);
 std::string row_place(const std::string& table_place, std::size_t row);
 
-/// One declaration: `Spec` (FieldSpec, ColumnSpec) and what reads its value into an `Owner`.
+/// A declaration: `Spec` (FieldSpec, ColumnSpec) and what reads its value into an `Owner`.
 template <class Owner, class Spec>
 struct Declaration {
     Spec spec;
     std::any member;  ///< M Owner::*
     std::function<void(Owner&, const SetupValue&, FieldReading&)> read;
     std::any parts = {};      ///< std::vector<ChoiceOf<E>> of a choice, Columns<Row> of a table
-    std::size_t element = 0;  ///< of a member that has several
+    std::size_t element = 0;  ///< index in a member that has several
 };
 
 template <class Owner, class Spec, class M>
@@ -107,7 +107,7 @@ Declaration<Owner, Spec> declaration(M Owner::*member, Spec spec) {
             }};
 }
 
-/// Of one element of an array or vector.
+/// Declaration of one element of an array or vector.
 template <class Owner, class Spec, class A>
 Declaration<Owner, Spec> element_declaration(A Owner::*member, std::size_t element, Spec spec) {
     using M = std::remove_pointer_t<decltype(std::declval<A&>().data())>;
@@ -121,7 +121,7 @@ Declaration<Owner, Spec> element_declaration(A Owner::*member, std::size_t eleme
             element};
 }
 
-/// That of a part of the owner, as one of the owner's.
+/// Declaration of a part of the owner as one of the owner's.
 template <class Owner, class Spec, class P>
 Declaration<Owner, Spec> part_declaration(P Owner::*part, const Declaration<P, Spec>& one) {
     return {one.spec, part,
@@ -191,7 +191,7 @@ public:
             choices));
         return *this;
     }
-    /// One element of a vector or array.
+    /// Adds a column for one element of a vector or array.
     template <class A>
     Columns& element(A Row::*member, std::size_t i, ColumnSpec spec) {
         all_.push_back(detail::element_declaration(member, i, std::move(spec)));
@@ -286,7 +286,7 @@ public:
             detail::spec_of<FieldSpec>(std::move(key), std::move(title), std::move(help), std::move(more)),
             columns);
     }
-    /// One element of an array.
+    /// Adds a field for one element of an array.
     template <class A>
     Fields& element(A S::*member, std::size_t i, FieldSpec spec) {
         return append(detail::element_declaration(member, i, std::move(spec)));
@@ -328,7 +328,7 @@ public:
         for (const auto& one : all_) specs.push_back(one.spec);
         return SetupSchema(std::move(specs));
     }
-    /// Of a set-up that has passed check_setup with this schema. A field that is not shown has its default.
+    /// Reads a set-up that passed check_setup with this schema. A field that is not shown has its default.
     S read(const SetupReader& reader, const AssetLibrary& assets, Problems& problems) const {
         S made;
         for (const auto& one : all_) {

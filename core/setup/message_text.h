@@ -22,7 +22,7 @@ Message dimension_words(const Unit& unit);
 
 /// The shortest decimal text that reads back as the same number: 688 -> "688", 0.066 -> "0.066".
 std::string shortest_number(double value);
-/// For ranges in messages: twelve digits, so that a conversion of units leaves no tail ("50", not
+/// Number for ranges in messages: twelve digits, so that a conversion of units leaves no tail ("50", not
 /// "49.999999999999996"); infinity in words.
 std::string readable_number(double value);
 /// "3 N", "0.5" (unit one).

@@ -10,7 +10,7 @@ namespace covaria {
 
 namespace {
 
-/// In `unit`; `before` (in `unit`) where the coordinate has not moved by a step.
+/// Coordinate in `unit`; `before` (in `unit`) where it has not moved by a step.
 double rounded(double si, double step, const Unit& unit, double before) {
     if (std::abs(si - unit.to_si(before)) < 0.5 * step) return before;
     const double digits = std::floor(std::log10(unit.interval_from_si(step)));

@@ -20,7 +20,7 @@ class SetupSchema;
 
 /// A pose as typed: X_AB by position and ZYX angles (R = Rz(gamma) Ry(beta) Rx(alpha)).
 struct PoseValue {
-    std::array<double, 3> position{};  ///< in length_unit
+    std::array<double, 3> position{};  ///< coordinates in length_unit
     std::array<double, 3> angles{};    ///< alpha, beta, gamma in angle_unit
     Unit length_unit = Unit::of("mm");
     Unit angle_unit = Unit::of("deg");
@@ -43,7 +43,7 @@ struct SetupTable {
     bool operator==(const SetupTable&) const = default;
 };
 
-/// Nothing, a number, an integer/flag/choice/text/reference, a table, a pose.
+/// Value of a field: nothing, a number, an integer/flag/choice/text/reference, a table, a pose.
 using SetupValue = std::variant<std::monostate, Quantity, bool, std::string, SetupTable, PoseValue>;
 
 /// Plain value: key -> value. Keys missing here take the schema's default. Equality is as typed (bytes on

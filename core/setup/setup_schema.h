@@ -15,8 +15,8 @@ namespace covaria {
 enum class FieldKind { number, integer, choice, text, flag, pose, table, reference };
 
 struct Choice {
-    std::string key;    ///< in files: "zyx"
-    std::string title;  ///< for people: "Z-Y-X (yaw, pitch, roll)"
+    std::string key;    ///< name in files: "zyx"
+    std::string title;  ///< name for people: "Z-Y-X (yaw, pitch, roll)"
 };
 
 /// The field is shown and used only where another field has one of these values.
@@ -42,9 +42,9 @@ struct ColumnSpec {
     bool optional = false;  ///< cell may be empty
     std::vector<Choice> choices = {};
     std::string help = {};
-    std::vector<std::string> capabilities = {};  ///< of a reference, as in FieldSpec
-    /// Its numbers are observations, of the quantity and series in columns of these names, where there are
-    /// any: alike ones are written alike (`shared_decimals`).
+    std::vector<std::string> capabilities = {};  ///< what a reference asks for, as in FieldSpec
+    /// Whether its numbers are observations, of the quantity and series in columns of these names, if there
+    /// are any: such numbers are written alike (`shared_decimals`).
     bool observed = false;
 };
 
@@ -58,23 +58,23 @@ struct FieldSpec {
     SetupValue default_value = {};  ///< monostate = must be given, unless optional
     bool optional = false;
     std::vector<Choice> choices = {};
-    std::vector<ColumnSpec> columns = {};  ///< of a table
+    std::vector<ColumnSpec> columns = {};  ///< columns of a table
     std::size_t min_rows = 0;
     std::vector<std::string> capabilities =
-        {};  ///< of a reference: asset must offer one of these ("point-uncertainty")
+        {};  ///< an asset of a reference must offer one of these ("point-uncertainty")
     std::optional<Condition> shown_if = {};
-    /// Of a pose: where its angles are omega, phi, kappa; else they are alpha, beta, gamma.
+    /// Condition under which the angles of a pose are omega, phi, kappa; else they are alpha, beta, gamma.
     std::optional<Condition> photogrammetric_if = {};
     std::string section = {};  ///< heading under which forms and reports show the field
-    /// Of a table: its rows state components of input quantities, in columns symbol, name, value, unit,
-    /// statement, a, b and nu; it is what a budget is typed into.
+    /// Whether the rows of a table state components of input quantities, in columns symbol, name, value,
+    /// unit, statement, a, b and nu: a budget is typed into it.
     bool states_quantities = false;
-    /// Of a table: its rows are observations, in columns quantity, number, series and value.
+    /// Whether the rows of a table are observations, in columns quantity, number, series and value.
     bool observes_quantities = false;
-    /// Of a table: its rows are what was read, observed or calibrated, which nobody can choose.
+    /// Whether the rows of a table are what was read, observed or calibrated, which nobody can choose.
     bool measured = false;
-    bool several_lines = false;  ///< of a text: a list of lines in files; problems name the line ("/text/2")
-    /// Of a text that names a file beside the project: how such names end ("stl"); empty: it names none.
+    bool several_lines = false;  ///< a text is a list of lines in files; problems name the line ("/text/2")
+    /// Ending of the names of files beside the project that a text names ("stl"); empty: it names none.
     std::string file_ending = {};
 };
 
@@ -89,7 +89,7 @@ public:
     /// Index of a table's column, or npos.
     static std::size_t column(const FieldSpec& table, const std::string& key);
     static constexpr std::size_t npos = static_cast<std::size_t>(-1);
-    std::vector<std::string> keys() const;  ///< of all fields, in order
+    std::vector<std::string> keys() const;  ///< keys of all fields, in order
 
 private:
     std::vector<FieldSpec> fields_;
@@ -97,7 +97,7 @@ private:
 
 /// Value of the field: as given, else the default, else monostate.
 const SetupValue& value_of(const FieldSpec& field, const Setup& setup);
-/// Whether the set-up decides so; a field that is not shown decides nothing.
+/// Whether the set-up fulfils the condition; a field that is not shown fulfils none.
 bool holds(const Condition& condition, const SetupSchema& schema, const Setup& setup);
 /// Whether the field's condition holds (fields that are not shown are neither required nor used).
 bool is_shown(const SetupSchema& schema, const FieldSpec& field, const Setup& setup);
@@ -109,7 +109,7 @@ void check_setup(const SetupSchema& schema, const Setup& setup, Problems& proble
 /// A number as given for `title`, which is to be in a unit like `expected`. Empty if it may be used;
 /// otherwise why not: another dimension, not finite, or a temperature difference given on the scale of degC.
 Message unit_objection(const Message& title, const Quantity& given, const Unit& expected);
-/// Likewise for the unit of a table's column.
+/// Objection to a unit of a table's column; empty: there is none.
 Message column_unit_objection(const FieldSpec& table, const ColumnSpec& column, const Unit& unit);
 
 }  // namespace covaria

@@ -10,9 +10,9 @@
 
 namespace covaria {
 
-/// Of the number in each row, as `common_decimals` has them: of observations those of one series, of a column
-/// in a table of what was measured all, where its rows have no units of their own. Empty for others: what was
-/// chosen stays as it was typed.
+/// Decimals of the number in each row, as by `common_decimals`: shared by observations of one series, and by
+/// a column of a table of what was measured, where its rows have no units of their own. Empty for others:
+/// what was chosen stays as it was typed.
 std::vector<int> shared_decimals(const FieldSpec& field, const SetupTable& table, std::size_t column);
 
 }  // namespace covaria

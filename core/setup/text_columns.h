@@ -1,4 +1,4 @@
-// What the texts of a set-up are: which columns name quantities, which fields name units.
+// Meaning of the texts of a set-up: which columns name quantities, which fields name units.
 #pragma once
 
 #include <string>
@@ -8,12 +8,12 @@
 
 namespace covaria {
 
-/// Its texts are symbols, however short: "theta" is set as θ.
+/// Whether the texts of a column are symbols, however short: "theta" is set as θ.
 inline bool names_quantities(const ColumnSpec& column) {
     return column.key == "symbol" || column.key == "quantity";
 }
 
-/// Of a field or column: its text is a unit as it was typed, "um", and is read as "µm".
+/// Whether the text of a field or column is a unit as it was typed, "um", which is read as "µm".
 inline bool names_unit(std::string_view key) {
     return key.ends_with("unit");
 }

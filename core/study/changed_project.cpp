@@ -11,7 +11,7 @@ bool ChangedNumbers::reach_setup() const {
 ChangedProject::ChangedProject(const ChangedNumbers& numbers)
     : numbers_(numbers), project_(numbers.made->project()) {}
 
-// All axes of one table or asset begin from the unchanged set-up, cell by cell.
+// The axes of one table or asset begin from the unchanged set-up, cell by cell.
 void ChangedProject::set(std::span<const double> values) {
     values_.assign(values.begin(), values.end());
     for (std::size_t axis = 0; axis < values_.size(); ++axis) {

@@ -16,7 +16,7 @@ struct ChangedNumbers {
     std::vector<StudyAxis> axes;
     std::vector<StudyTarget> targets;  ///< per axis
 
-    bool reach_setup() const;  ///< else the model stays and only its inputs change
+    bool reach_setup() const;  ///< false: the model stays and only its inputs change
 };
 
 /// A model with its inputs changed; the analysis keeps it alive.
@@ -31,7 +31,7 @@ class ChangedProject {
 public:
     explicit ChangedProject(const ChangedNumbers& numbers);
 
-    /// One value for each axis, in its unit.
+    /// Sets one value for each axis, in its unit.
     void set(std::span<const double> values);
     /// The state as it is now, for further changes; `set` begins from the unchanged values of its targets
     /// only.

@@ -1,4 +1,4 @@
-// One point of a study's grid after the other, by one thread.
+// Points of a study's grid, one after the other, by one thread.
 #pragma once
 
 #include <functional>
@@ -10,7 +10,7 @@
 
 namespace covaria::detail {
 
-/// What all points of a study share.
+/// The plan of a study, which all its points share.
 struct StudyPlan {
     explicit StudyPlan(const PreparedStudy& prepared);
 
@@ -19,7 +19,7 @@ struct StudyPlan {
     EvaluationOptions options;
     std::vector<std::vector<double>> values;  ///< per axis
     std::vector<StudyOutput> outputs;
-    std::vector<std::size_t> indices;  ///< of the outputs in the unchanged model
+    std::vector<std::size_t> indices;  ///< indices of the outputs in the unchanged model
     std::vector<StudyTriple> triples;
     std::size_t points = 1;
 };

@@ -9,7 +9,7 @@ namespace covaria {
 
 namespace {
 
-/// Of one study of an analysis, paths relative to it.
+/// Problems of one study of an analysis, paths relative to it.
 Problems problems_of(const MadeProject& made, const PreparedAnalysis& analysis, const Study& study) {
     AnalysisEntry only = *made.project().find_analysis(analysis.id);
     only.studies = {study};

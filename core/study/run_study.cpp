@@ -1,4 +1,4 @@
-// All points of a study on several threads, their results in the order of the grid.
+// Run of all points of a study on several threads, their results in the order of the grid.
 #include <map>
 
 #include "core/propagation/stored_units.h"
@@ -48,7 +48,7 @@ public:
 
 private:
     std::vector<Message>& reasons_;
-    std::map<std::string, std::size_t> known_;  ///< by what they say in English
+    std::map<std::string, std::size_t> known_;  ///< numbers of reasons by what they say in English
 };
 
 /// A file may say anything: numbers of other outputs would be looked for where there are none.

@@ -16,7 +16,7 @@ namespace covaria {
 struct PreparedStudy {
     Study study;
     MadeProject::Pointer made;  ///< the assets that the analysis uses, and the analysis, without changes
-    std::shared_ptr<const PreparedAnalysis> analysis;  ///< of the project
+    std::shared_ptr<const PreparedAnalysis> analysis;  ///< analysis of the project
     std::vector<StudyTarget> targets;                  ///< per axis
     std::string fingerprint;
 };
@@ -30,9 +30,9 @@ std::shared_ptr<const PreparedStudy> prepare_study(const MadeProject::Pointer& m
 /// numbers.
 Project study_part(const Project& project, const AnalysisEntry& entry, const Study& study);
 
-/// Every grid point uses the seed of the analysis, so that neighbours differ by what was changed and not by
-/// other draws. A point whose model cannot be made or evaluated keeps the reason. Same bits for any number of
-/// threads. Error: cancelled, within 100 ms of a stop request (between two trials' blocks or grid points).
+/// Runs a study. Grid points use the seed of the analysis, so that neighbours differ by what was changed, not
+/// by other draws. A point whose model cannot be made or evaluated keeps the reason. Same bits for any number
+/// of threads. Error: cancelled, within 100 ms of a stop request (between two trials' blocks or grid points).
 /// Progress counts trials, and grid points at first order.
 Result<StudyResult> run_study(const PreparedStudy& study, const RunControl& control = {});
 

@@ -12,16 +12,16 @@ namespace covaria {
 /// The assets that the analysis uses, the analysis, which comes first, and those that it takes inputs from.
 Project analysis_part(const Project& project, const AnalysisEntry& entry);
 
-/// Of the set-up that `varied_setup` gives.
+/// Schema of the set-up that `varied_setup` gives.
 const SetupSchema* schema_of(const StudyTarget& target, std::size_t own, const Project& project);
 
-/// Of each axis, in the part, whose set-ups get the defaults that are varied; false: one is not found (of an
-/// asset that the analysis does not use).
+/// Finds the target of each axis in the part, whose set-ups get the defaults that are varied; false: one is
+/// not found (of an asset that the analysis does not use).
 bool find_targets(const InputSet& inputs, const std::vector<StudyAxis>& axes, Project& part,
                   std::vector<StudyTarget>& targets);
-/// Of the unchanged project, in the axis' unit: a value, or the factor or difference that changes nothing.
+/// Value in the unchanged project, in the axis' unit, or the factor or difference that changes nothing.
 double present_value(const StudyAxis& axis, const StudyTarget& target);
-/// What is varied, or chosen from, has to be in the set-up, not only a default of the schema.
+/// Writes the default of a field into the set-up, where what is varied, or chosen from, has to be.
 void give_default(const SetupSchema* schema, const std::string& key, Setup& setup);
 
 /// Without what a changed state needs no check of: studies, designs, requirements, options.

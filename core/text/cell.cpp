@@ -11,7 +11,7 @@
 namespace covaria {
 namespace {
 
-/// In the view's units; nothing for cells without a number.
+/// Number in the view's units; nothing for cells without a number.
 std::optional<Quantity> shown_number(const Cell& cell, const DisplayUnits& units) {
     if (const auto* number = std::get_if<Measured>(&cell)) return number->in(units);
     const auto* quantity = std::get_if<Quantity>(&cell);
@@ -105,7 +105,7 @@ std::string rounded_number(const Place& place, const Cell& cell, const Quantity&
            (column.says_unit && !in_head ? unit_after_number(shown.unit) : std::string());
 }
 
-/// Of a column of one kind of quantity, to which nothing else gives them; nothing: each number by itself.
+/// Decimals shared by a column of one kind of quantity to which no rule gives any; nothing: each by itself.
 /// Numbers that were computed are read against the largest one; uncertainties have digits of their own.
 std::optional<int> decimals_of_all(const Table& table, const Column& column) {
     const NumberRule& rule = column.rule;
@@ -221,7 +221,7 @@ std::optional<std::string> rounded(const Table& table, const Column& column, std
 }
 
 NumberForm form_of(const Table& table, const Column& column, const Unit& unit, const TableView& view) {
-    constexpr std::size_t most_rows = 1000;  // of a longer table nobody sees the whole
+    constexpr std::size_t most_rows = 1000;  // nobody sees the whole of a longer table
     if (column.rule.form) return *column.rule.form;
     if (table.rows > most_rows || column.says_unit) return NumberForm::each;
     double smallest = std::numeric_limits<double>::infinity(), largest = 0.0;

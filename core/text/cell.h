@@ -36,7 +36,7 @@ std::optional<double> exact_number(const Column& column, std::size_t row, const 
 /// Whether every filled cell of the column is a number: print sets it flush right.
 bool has_only_numbers(const Table& table, const Column& column);
 
-/// How all numbers of a column in this unit are written, which are read against each other.
+/// Form of all numbers of a column in this unit, which are read against each other.
 NumberForm form_of(const Table& table, const Column& column, const Unit& unit, const TableView& view);
 
 /// "a, b, c" or, if longer than `most`, "a, b … z (117)".

@@ -8,7 +8,7 @@ namespace covaria {
 
 namespace {
 
-/// What is given in K may be a difference: it is not shown on a scale with another zero.
+/// Whether `given` may be shown in `shown`: a value in K may be a difference, which no other zero suits.
 bool fits(const Unit& shown, const Unit& given) {
     return shown.dimension() == given.dimension() && (!shown.has_offset() || given.has_offset());
 }

@@ -43,11 +43,11 @@ public:
 
     std::string say(const Phrase& phrase, std::initializer_list<std::string> arguments = {}) const;
     std::string say(const Message& message) const;
-    /// With symbols in it.
+    /// A phrase with symbols in it.
     Text say_text(const Phrase& phrase, std::initializer_list<Text> arguments) const;
-    /// What a registry declares: the title of a field, the name of an output. Names that people gave stay.
+    /// Words that a registry declares: the title of a field, the name of an output. Names people gave stay.
     std::string say_declared(const std::string& english) const;
-    /// Likewise, with symbols in it, which stay.
+    /// Declared words with symbols in them, which stay.
     Text say_title(const Text& english) const;
     /// A chart of a model or an asset: titles, axes, legends, marks.
     PlotSpecification say_plot(PlotSpecification english) const;

@@ -48,7 +48,7 @@ std::string element(const char* tag, const std::string& inside) {
     return "<" + std::string(tag) + ">" + inside + "</" + tag + ">";
 }
 
-/// In MathML a single letter is italic by itself, and several are upright.
+/// MathML of a script: a single letter is italic by itself there, and several are upright.
 std::string script_element(const std::string& script) {
     std::vector<std::string> elements;
     for (const ScriptPart& part : script_parts(script)) {

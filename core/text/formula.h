@@ -13,7 +13,7 @@ namespace covaria {
 struct Formula {
     enum class Kind {
         symbol,    ///< `symbol`
-        number,    ///< with its unit, if it has one: "20 °C"
+        number,    ///< a number, with its unit if it has one: "20 °C"
         word,      ///< name of a function, "if", "and"
         sign,      ///< operator between parts of a row
         row,       ///< parts one after the other
@@ -30,11 +30,11 @@ struct Formula {
     static Formula leaf(Kind kind, std::string text) { return {kind, std::move(text), {}, {}}; }
     static Formula of_symbol(Symbol symbol) { return {Kind::symbol, {}, std::move(symbol), {}}; }
     static Formula row(std::vector<Formula> parts) { return {Kind::row, {}, {}, std::move(parts)}; }
-    /// Nothing to show.
+    /// Whether there is nothing to show.
     bool empty() const { return kind == Kind::row && parts.empty(); }
 };
 
-/// With its numbers as the reader writes them; arguments are parted by ";" where "," is the decimal sign.
+/// The formula with its numbers as the reader writes them; ";" parts arguments where "," is the decimal sign.
 Formula with_numbers(Formula formula, const NumberLocale& numbers);
 /// "R = (V/I)·cos(φ)".
 std::string to_unicode(const Formula& formula);

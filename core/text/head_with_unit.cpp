@@ -9,8 +9,8 @@
 namespace covaria {
 namespace {
 
-/// Whether it would be read wrongly beside a stroke: "value + U / mm". In parentheses ("u(a + b)") it is one
-/// thing.
+/// Whether a name would be read wrongly beside a stroke: "value + U / mm". In parentheses ("u(a + b)") it is
+/// one thing.
 bool is_sum(const Text& name) {
     static constexpr std::array<std::string_view, 3> signs{" + ", " − ", " ± "};
     const std::string letters = name.letters();

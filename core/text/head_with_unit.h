@@ -12,7 +12,7 @@ namespace covaria {
 /// "u / mm", "c / (nm/K)", "(value + U) / mm"; the name alone where the unit is one. Without a name, the
 /// unit.
 Text head_with_unit(const Text& name, const Unit& unit);
-/// Of a unit as it is shown, empty of a number, and of numbers that are in units of 10^exponent:
+/// The head for a unit as it is shown, empty of a number, and numbers in units of 10^exponent:
 /// "x / (10⁻⁶ mm)", "density / (10⁶/mm)", "u(x) / 10⁻⁶".
 Text head_with_unit(const Text& name, const std::string& shown_unit, int exponent = 0);
 

@@ -61,7 +61,7 @@ std::string without_negative_zero(std::string text) {
     return zero && text.front() == '-' ? text.substr(1) : text;
 }
 
-/// With few digits, up to the rounding of a conversion of units.
+/// Whether a value has few digits, up to the rounding of a conversion of units, so that somebody typed it.
 bool is_typed(double value) {
     if (!std::isfinite(value) || value == 0.0) return true;
     const std::string text = scientific(value, most_typed_digits - 1);
@@ -280,7 +280,7 @@ std::string grouped_digits(const std::string& plain, const NumberLocale& locale)
     std::string parts = point < end ? plain.substr(point + 1, end - point - 1) : "";
     if (parts.size() > 4)
         for (std::size_t i = (parts.size() - 1) / 3 * 3; i > 0; i -= 3) parts.insert(i, locale.group);
-    // What follows has no decimal sign of its own: a power of ten, a unit.
+    // The rest has no decimal sign of its own: a power of ten, a unit.
     const std::string behind = with_powers(plain.substr(end));
     return (first ? "−" : "") + whole + (point < end ? locale.decimal + parts : std::string()) + behind;
 }

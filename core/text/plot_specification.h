@@ -18,7 +18,7 @@ struct PlotAxis {
     /// Power of ten that is taken out of its labels, as of the texts of its marks; 0: plain numbers. Empty:
     /// what suits the part that is shown.
     std::optional<int> exponent = {};
-    std::string unit = {};  ///< as it is shown: "mm", "1/mm"; empty: a number
+    std::string unit = {};  ///< unit as it is shown: "mm", "1/mm"; empty: a number
 };
 
 enum class SeriesKind {
@@ -46,13 +46,13 @@ enum class SeriesRole {
 };
 
 struct PlotSeries {
-    Text name;  ///< in the legend; empty = not in the legend
+    Text name;  ///< name in the legend; empty = not in the legend
     SeriesKind kind = SeriesKind::line;
     SeriesRole role = SeriesRole::data;
     std::vector<double> x, y, z;
-    double bar_width = 0.0;  ///< in x units (horizontal bars: y units)
-    bool is_named = false;   ///< by somebody: the name is as it is in every language
-    std::string unit = {};   ///< of z, as that of an axis
+    double bar_width = 0.0;  ///< width in x units (horizontal bars: y units)
+    bool is_named = false;   ///< somebody gave the name, which is the same in every language
+    std::string unit = {};   ///< unit of z, as that of an axis
 };
 
 /// A vertical (or horizontal) line with a label: mean, ends of an interval, a target.

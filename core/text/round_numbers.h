@@ -13,11 +13,11 @@ double resolution_at(double value);
 /// that no range and no step makes it go on for ever. Empty where there would be more than `most`.
 std::vector<double> multiples_between(double low, double high, double step, std::size_t most);
 
-double nearest_round_number(double value);  ///< in ratio; value > 0
+double nearest_round_number(double value);  ///< nearest in ratio; value > 0
 double round_number_below(double value);    ///< the largest that is not larger; value > 0
 double round_number_above(double value);    ///< the smallest that is not smaller; value > 0
 
-/// To so many significant digits, never up: of what must not be exceeded. value >= 0
+/// A value to so many significant digits, never up, for what must not be exceeded. value >= 0
 double rounded_down(double value, int digits);
 
 /// Decimals that show a multiple of `step`.

@@ -92,7 +92,7 @@ bool is_subscripted_letter(std::string_view word) {
            is_letter(word.substr(0, end));
 }
 
-/// Likewise in an equation, where short words are symbols, too: "KS_j", "Rot_i", "d'_hij".
+/// Whether a word is a symbol in an equation, where short words are, too: "KS_j", "Rot_i", "d'_hij".
 bool is_subscripted_word(std::string_view word) {
     constexpr std::size_t longest = 4;
     const std::size_t end = word.find_first_of("_^");
@@ -100,7 +100,7 @@ bool is_subscripted_word(std::string_view word) {
     return end <= longest || is_subscripted_letter(word);
 }
 
-/// Where the run of characters that are all of a word, or all not, ends.
+/// End of the run of characters that are all of a word, or all not.
 std::size_t end_of_run(std::string_view text, std::size_t begin) {
     const auto is_word = [&](std::size_t i) {
         return is_word_character(text.substr(i, character_length(text.substr(i))));
@@ -114,7 +114,7 @@ bool is_figure(char c) {
     return std::isdigit(static_cast<unsigned char>(c)) != 0;
 }
 
-/// What else belongs to a subscript that ends before `end`: all in braces ("z_{i−1}"); a comma goes on
+/// Whether a subscript that ends before `end` goes on: all in braces ("z_{i−1}"); a comma goes on
 /// ("p_1x,1"), the one after it does not ("p_1x, pose 1", "u_x,u_y"), and so does a hyphen between figures
 /// ("L_1-2") where it cannot be a minus sign.
 bool goes_on(std::string_view text, std::size_t begin, std::size_t end, bool equation) {

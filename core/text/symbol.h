@@ -15,9 +15,9 @@ namespace covaria {
 
 /// Letters in Unicode: "alpha_7^2" is {"α", "7", "2"}.
 struct Symbol {
-    std::string base;         ///< with its accent: "x̄"
+    std::string base;         ///< letters with their accent: "x̄"
     std::string subscript;    ///< several are joined by commas
-    std::string superscript;  ///< likewise
+    std::string superscript;  ///< several are joined by commas
     bool operator==(const Symbol&) const = default;
 };
 Symbol parse_symbol(std::string_view plain);
@@ -37,10 +37,10 @@ struct GreekLetter {
     std::size_t bytes = 0;
 };
 std::optional<GreekLetter> greek_letter_at(std::string_view text);
-/// As it is stored: "α_7", "α₇" -> "alpha_7"; other texts stay.
+/// Symbol as it is stored: "α_7", "α₇" -> "alpha_7"; other texts stay.
 std::string plain_symbol(std::string_view symbol);
 
-/// What `plain` is as a symbol.
+/// The text of the symbol that `plain` stands for.
 Text symbol_text(std::string_view plain);
 /// "alpha_7" -> "α₇", "theta1" -> "θ1" where Unicode has the subscript characters, else "α_7".
 std::string symbol_to_unicode(std::string_view plain);

@@ -29,28 +29,28 @@ struct Measured {
     double si = 0.0;
     Scale scale = Scale::interval;
     Unit unit = {};
-    Unit per = {};  ///< of the denominator: a sensitivity coefficient
+    Unit per = {};  ///< unit of the denominator: a sensitivity coefficient
 
     Measured() = default;
     /// A number alone is one of the unit one.
     Measured(double in_si, Scale of = Scale::interval, Unit in = {}, Unit per_unit = {})
         : si(in_si), scale(of), unit(std::move(in)), per(std::move(per_unit)) {}
-    /// As a view with these units shows it; a quotient in the quotient of the units.
+    /// The number in a view with these units; a quotient in the quotient of the units.
     Quantity in(const DisplayUnits& units) const;
 };
 /// Symbols as they are stored.
 using Symbols = std::vector<std::string>;
 struct Answer {
     bool is = false;
-    std::string yes = "yes", no = "no";  ///< in files; people read "yes" and "no"
+    std::string yes = "yes", no = "no";  ///< words in files; people read "yes" and "no"
     bool is_open = false;                ///< people read "undecided"
 };
-/// What a cell says. A unit, and a number with one, is shown in the view's choice for it. A `Quantity` is a
+/// Content of a cell. A unit, and a number with one, is shown in the view's choice for it. A `Quantity` is a
 /// number as somebody typed it, of which no digit is lost.
 using Cell =
     std::variant<std::monostate, std::string, Message, Symbols, Text, Unit, Answer, Quantity, Measured>;
 
-/// What the numbers of a column are: that decides how they are rounded for people.
+/// Kind of the numbers of a column, which decides how they are rounded for people.
 enum class NumberRole {
     typed,               ///< every digit that was typed; seven of what was computed
     uncertainty,         ///< significant digits: those of the view, no fewer than `digits`
@@ -61,7 +61,7 @@ enum class NumberRole {
     degrees_of_freedom,  ///< cut off, as k of the t distribution wants them
 };
 
-/// How the numbers of a column are rounded for people.
+/// Rule by which the numbers of a column are rounded for people.
 struct NumberRule {
     NumberRole role = NumberRole::typed;
     int digits = 0;
@@ -74,7 +74,7 @@ struct NumberRule {
     bool percent = false;      ///< a part of one, shown in per cent
     bool no_fewer = false;     ///< a figure has no fewer digits than uncertainties in this view
     std::vector<int> by_row = {};  ///< decimals of each row instead, of series of readings; -1: none
-    /// With powers of ten or without, where a part of a table is shown; nothing: as its own numbers want it.
+    /// Form of a part of a table, with powers of ten or without; nothing: as the numbers shown want it.
     std::optional<NumberForm> form = {};
 };
 
@@ -102,21 +102,21 @@ private:
 struct Column {
     std::string key;  ///< head in files; what views choose by; head for people where no other is given
     Cells cell = {};
-    std::string head = {};   ///< in print; "%1" is the unit of all its numbers
+    std::string head = {};   ///< head in print; "%1" is the unit of all its numbers
     bool is_symbol = false;  ///< the head, or the key ("u_cal") where that is the head
     bool symbols = false;    ///< the cells
     Text title = {};         ///< head in the window
-    Message help = {};       ///< for the window
+    Message help = {};       ///< help in the window
     NumberRule rule = {};
-    std::optional<Unit> unit = {};  ///< of all its numbers: the head says it
+    std::optional<Unit> unit = {};  ///< unit of all its numbers: the head says it
     bool of_numbers = false;        ///< set flush right in the window
     bool says_unit = false;         ///< people read each number with its unit, which nothing else gives
     bool in_files = true;
     bool hidden = false;                       ///< people do not see it
     bool own_words = false;                    ///< its texts are the program's ("not met"), not people's
-    std::vector<std::string> undeclared = {};  ///< those of them that no registry declares
+    std::vector<std::string> undeclared = {};  ///< those of its texts that no registry declares
 
-    // To write columns down on a line.
+    // Setters, to write columns down on a line.
     Column& print(std::string words) { return head = std::move(words), *this; }
     Column& print_symbol(std::string symbol) { return head = std::move(symbol), is_symbol = true, *this; }
     Column& window(Text words, std::string_view tip = {}) {
@@ -139,7 +139,7 @@ struct Column {
         return round({.role = NumberRole::estimate, .of = std::move(key_of_u), .keeps_typed = true});
     }
     Column& figure(int digits) { return round({.role = NumberRole::figure, .digits = digits}); }
-    /// With the digits of uncertainties where those are more.
+    /// Figures with the digits of uncertainties where those are more.
     Column& figure_no_fewer(int digits) {
         return round({.role = NumberRole::figure, .digits = digits, .no_fewer = true});
     }
@@ -170,7 +170,7 @@ struct Column {
 struct Table {
     std::string id;  ///< file-name friendly ("budget-x-7")
     std::string title = {};
-    std::size_t rows = 0;  ///< with those of sub-heads
+    std::size_t rows = 0;  ///< number of rows with those of sub-heads
     std::vector<Column> columns = {};
     std::vector<Message> notes = {};
     std::map<std::size_t, std::string> subheads = {};  ///< rows that have one text across the table
@@ -191,16 +191,16 @@ struct Table {
     /// The column of that key, which there is.
     const Column& operator[](std::string_view key) const;
     Cell cell(std::size_t row, std::string_view key) const { return (*this)[key].cell(row); }
-    /// How many columns views show; they stand before the hidden ones.
+    /// Number of columns that views show; they stand before the hidden ones.
     std::size_t shown_columns() const;
-    /// Its rows from `begin` to before `end`.
+    /// The rows from `begin` to before `end`.
     Table part(std::size_t begin, std::size_t end) const;
 };
 
-/// What files have of a table, its cells held: nothing is read later.
+/// The table as files have it, its cells held: nothing is read later.
 Table file_table(const Table& table);
 
-/// What a cell says in files: in English, units as in the view; empty for numbers.
+/// Text of a cell in files: in English, units as in the view; empty for numbers.
 std::string english_of(const Cell& cell, const DisplayUnits& units = {});
 /// The number of a cell as files have it, with the unit: a typed one as it was typed.
 std::optional<Quantity> exact_quantity(const Cell& cell, const DisplayUnits& units = {});

@@ -23,9 +23,9 @@ public:
     };
 
     Text() = default;
-    Text(std::string words);                                    ///< as it is, on the line
-    Text(std::string_view words) : Text(std::string(words)) {}  ///< likewise
-    Text(const char* words) : Text(std::string(words)) {}       ///< likewise
+    Text(std::string words);                                    ///< the words as they are, on the line
+    Text(std::string_view words) : Text(std::string(words)) {}  ///< the same
+    Text(const char* words) : Text(std::string(words)) {}       ///< the same
     explicit Text(Span span) { append(std::move(span)); }
 
     Text& operator+=(const Text& more);
@@ -37,7 +37,7 @@ public:
     bool has_scripts() const;
     /// Words alone: no symbol among them.
     bool is_plain() const;
-    /// All letters in their order, whatever their script: where words and units are looked for.
+    /// All letters in their order, whatever their script: words and units are looked for in them.
     std::string letters() const;
     /// The bytes [begin, end) of `letters()`, with their scripts.
     Text part(std::size_t begin, std::size_t end = std::string::npos) const;
@@ -61,7 +61,7 @@ std::string to_unicode(const Text& text);
 std::string to_html(const Text& text);
 std::string escape_html(std::string_view text);
 
-/// Every character as the subscript or superscript that Unicode has; nothing if it has not all of them:
+/// The characters as the subscripts or superscripts that Unicode has; nothing if one has none:
 /// half-lowered subscripts are unreadable.
 std::optional<std::string> unicode_subscripts(std::string_view text);
 std::optional<std::string> unicode_superscripts(std::string_view text);

@@ -1,4 +1,4 @@
-// Where an axis has its ticks and what they say: steps of 1, 2 or 5 times a power of ten.
+// Ticks of an axis and their labels: steps of 1, 2 or 5 times a power of ten.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@
 namespace covaria {
 
 struct Tick {
-    double at = 0.0;  ///< on the axis; of a logarithmic axis, log10 of the value
+    double at = 0.0;  ///< position on the axis; of a logarithmic axis, log10 of the value
     std::string text;
 };
 

@@ -34,7 +34,7 @@ public:
         return made;
     }
 
-    /// With the symbol in Unicode.
+    /// The message with the symbol in Unicode.
     const Message& message() const { return words_; }
     Text in(const DocumentLanguage& language) const;
     bool empty() const { return words_.empty(); }

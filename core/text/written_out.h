@@ -1,4 +1,4 @@
-// How much of a number is written: which results without a power of ten (50 000 840 ± 180), how many digits.
+// Extent of written numbers: which results have no power of ten (50 000 840 ± 180), how many digits.
 #pragma once
 
 namespace covaria {
@@ -7,7 +7,7 @@ inline constexpr double smallest_written_out = 1e-4;
 inline constexpr double largest_written_out = 1e10;
 inline constexpr int most_rounded_places = 3;  ///< before the point
 
-/// Of the numbers of a column, to which one with more gives none.
+/// Most decimals that the numbers of a column share; a number with more gives none.
 inline constexpr int most_shared_decimals = 6;
 
 /// Significant digits of a computed value without an uncertainty to match.

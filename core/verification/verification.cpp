@@ -12,7 +12,7 @@ namespace {
 
 constexpr double reference_trials = 1e6;
 
-/// What a figure is taken from.
+/// The result, output and indices that a figure is taken from.
 struct Subject {
     const UncertaintyResult& result;
     const OutputResult& output;
@@ -91,7 +91,7 @@ std::map<std::string, Figure> all_figures() {
          {number, true, region([](R r) { return r.ellipsoid_monte_carlo.value_or(std::nan("")); })}},
         {"mc-rectangle",
          {number, true, region([](R r) { return r.rectangle_monte_carlo.value_or(std::nan("")); })}},
-        // What the result line states, of whichever method.
+        // The figures of the result line, of whichever method.
         {"result-estimate", {value, true, column("estimate")}},
         {"result-u", {interval, true, column("u")}},
         {"result-k", {number, true, column("k")}},
@@ -149,7 +149,7 @@ CheckedFigure judged(const VerificationCheck& check, double value, double tolera
     return made;
 }
 
-/// As the table shows it, in the unit of its column or of its own.
+/// Number as the table shows it, in the unit of its column or of its own.
 std::optional<double> number_in(const Table& table, const VerificationCell& cell) {
     const Column* column = table.find(cell.column);
     for (std::size_t row = 0; column && row < table.rows; ++row)

@@ -20,23 +20,23 @@ struct VerificationCell {
     std::string column = "value";
 };
 
-/// One figure of a result with what it should be; numbers in `unit`.
+/// A figure of a result with what it should be; numbers in `unit`.
 struct VerificationCheck {
-    std::string what;         ///< for people: "u(l), law of propagation"
+    std::string what;         ///< name for people: "u(l), law of propagation"
     std::string analysis;     ///< id
     std::string output = {};  ///< symbol
     std::string group = {};
     std::string figure = {};                    ///< key of `verification_figures()`; empty: `cell`
     std::string with = {};                      ///< the other output of a correlation
-    std::optional<VerificationCell> cell = {};  ///< in the unit of its table
+    std::optional<VerificationCell> cell = {};  ///< cell of a table, in the unit of that
     Unit unit = {};
-    std::string entry = {};  ///< where the reference value stands in the project's tests
+    std::string entry = {};  ///< place of the reference value in the project's tests
     std::optional<double> published = {};
     double half_digit = 0.0;  ///< half of the last printed digit
     std::optional<double> reference = {};
     double relative = 0.0;        ///< tolerance of a deterministic figure, relative to the reference
-    double absolute = 0.0;        ///< likewise, in `unit`
-    double standard_error = 0.0;  ///< of a reference value by Monte Carlo
+    double absolute = 0.0;        ///< its tolerance in `unit`
+    double standard_error = 0.0;  ///< standard error of a reference value by Monte Carlo
     double scatter = 0.0;         ///< standard deviation of the figure in runs of 10^6 trials
     std::string because = {};     ///< why the published value differs
 };
@@ -57,7 +57,7 @@ Result<std::vector<VerificationCase>> read_verification(const std::string& text)
 
 struct CheckedFigure {
     VerificationCheck check;
-    double value = 0.0;      ///< in the check's unit
+    double value = 0.0;      ///< value in the check's unit
     double tolerance = 0.0;  ///< about the reference: 4 combined standard errors, or the stated one
     bool agrees_with_reference = true;
     bool reproduces_published = true;

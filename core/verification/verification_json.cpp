@@ -6,7 +6,7 @@
 namespace covaria {
 namespace {
 
-/// As the list of verifications has it: degrees of freedom may be infinite.
+/// Number in the list of verifications: degrees of freedom may be infinite.
 OrderedJson figure_number(const std::optional<double>& value) {
     if (value && std::isinf(*value)) return "infinite";
     return value ? json_number(*value) : OrderedJson(nullptr);

@@ -13,8 +13,8 @@
 namespace covaria {
 namespace {
 
-/// As many digits as the tolerance of the reference or the last printed digit of the published value lets
-/// mean something, and one more.
+/// Number with as many digits as the tolerance of the reference or the last printed digit of the published
+/// value gives a meaning, and one more.
 std::string figure_text(double value, double resolution) {
     if (!std::isfinite(value)) return std::isnan(value) ? "none" : "infinite";
     const double magnitude = std::max(std::abs(value), 1e-300);

@@ -16,7 +16,7 @@ namespace {
 const Unit mm = Unit::of("mm");
 
 struct FurtherSupport {
-    double L_1 = 0.0, L_2 = 0.0, L_3 = 0.0;  ///< to the first three supports, m
+    double L_1 = 0.0, L_2 = 0.0, L_3 = 0.0;  ///< distances to the first three supports, m
     double z = 0.0, u_z = 0.0;               ///< m
 };
 
@@ -27,9 +27,9 @@ struct StatedBallbars {
     Eigen::Isometry3d placement = Eigen::Isometry3d::Identity();
     double reading_constant = 0.0, reading_scale = 0.0;  ///< m, relative
     double support_constant = 0.0, support_scale = 0.0;
-    std::string meaning;  ///< of these four
+    std::string meaning;  ///< meaning of these four
     double u_scale = 0.0, u_zero = 0.0;
-    std::string distribution;  ///< of these two
+    std::string distribution;  ///< distribution of these two
 };
 
 Columns<FurtherSupport> further_columns() {

@@ -7,7 +7,7 @@ namespace covaria {
 
 /// Telescopic ballbars that measure to one ball at once (Brosed et al., 2.1).
 AssetDescriptor ballbar_set_kind();
-/// How far a robot misses a pose it was sent to before (ISO 9283).
+/// Deviation of a robot from a pose it was sent to before (ISO 9283).
 AssetDescriptor robot_repeatability_kind();
 
 }  // namespace covaria

@@ -30,18 +30,18 @@ struct SupportHeight {
 /// A deviation that several lengths share: scale of all, constant of one bar.
 struct SharedLengthDeviation {
     UncertaintyComponent component;
-    bool is_scale = false;  ///< of every length, in proportion to it; else of `bar` alone, constant
+    bool is_scale = false;  ///< relative, of every length; else constant, of `bar` alone
     std::size_t bar = 0;
 };
 
 class BallbarSource : public Capability {
 public:
     static constexpr const char* capability = "ballbars";
-    virtual std::size_t supports() const = 0;  ///< and bars: three or more
+    virtual std::size_t supports() const = 0;  ///< number of supports and of bars: three or more
     /// 1-2, 1-3, 2-3, then 1-k, 2-k and 3-k for every further support.
     virtual const std::vector<SupportLength>& support_lengths() const = 0;
     virtual const std::vector<SupportHeight>& heights() const = 0;  ///< one for every support after the third
-    /// Which root of Eq 3: 1 = the ball is on the side to which z points, -1 = on the other.
+    /// Root of Eq 3 that holds: 1 = the ball is on the side to which z points, -1 = on the other.
     virtual double side() const = 0;
     /// The instrument's frame (origin support 1, x to support 2, z normal to the first three) in the robot's.
     virtual const Eigen::Isometry3d& placement() const = 0;

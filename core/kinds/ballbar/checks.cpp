@@ -1,4 +1,4 @@
-// What is refused and what is warned of before "TCP from ballbars" is evaluated; the flange from given
+// Checks before "TCP from ballbars" is evaluated: errors and warnings; the flange from given
 // points.
 #include <Eigen/LU>
 #include <cmath>

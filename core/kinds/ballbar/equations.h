@@ -159,8 +159,8 @@ SequenceSums<Real> sums_of(const TcpSetup& setup, const Sequence& sequence, cons
 template <class Real>
 struct Flange {
     Matrix3<Real> normals, axes;
-    Vector3<Real> centre;  ///< from the nominal one
-    Vector3<Real> tool;    ///< in the flange's axes
+    Vector3<Real> centre;  ///< centre, from the nominal one
+    Vector3<Real> tool;    ///< tool in the flange's axes
 };
 
 /// Eq 8: every point turned back by its rotation gives the tool; their mean.
@@ -182,7 +182,7 @@ Vector3<Real> mean_tool(const TcpSetup& setup, const SequenceSums<Real>* sums, c
     return tool * Real(1.0 / static_cast<double>(setup.points.size()));
 }
 
-/// Everything that follows from the measured points (q, from the nominal centre).
+/// Fits the flange: everything that follows from the measured points (q, from the nominal centre).
 template <class Real>
 Flange<Real> fit_flange(const TcpSetup& setup, std::span<const Vector3<Real>> q) {
     std::array<SequenceSums<Real>, 3> sums;
@@ -218,7 +218,7 @@ void read_supports(const TcpSetup& setup, const In& x, Vector3<Real>* supports) 
     support_positions<Real>({lengths.data(), count}, {heights.data(), n - 3}, supports);
 }
 
-/// What the bars read of one point: the length to where the robot has really gone.
+/// Computes the readings of the bars at one point: the lengths to where the robot has really gone.
 template <class Real, class In>
 void read_lengths(const TcpSetup& setup, const Point& point, const PointInputs& inputs, const In& x,
                   Real* lengths) {
@@ -242,8 +242,8 @@ void read_lengths(const TcpSetup& setup, const Point& point, const PointInputs& 
     }
 }
 
-/// All lengths by least squares, each with the weight of its own uncertainty at this point, from where the
-/// first three meet; in trials in which they do not, from where the point is at the estimates.
+/// Adjusts p to all lengths by least squares, each with the weight of its own uncertainty at this point, from
+/// where the first three meet; in trials in which they do not, from the point's place at the estimates.
 template <class Real>
 void adjust_by_all(const Point& point, std::span<const Vector3<Real>> supports, const Real* lengths,
                    const mask_of<Real>& meets, Vector3<Real>& p) {
@@ -253,8 +253,8 @@ void adjust_by_all(const Point& point, std::span<const Vector3<Real>> supports, 
         multilateration_step<Real>(supports, lengths, point.weights.data(), 3, p);
 }
 
-/// One trial. Inputs: lengths between supports, heights of further supports, then for every point its
-/// readings, the robot's deviation and rotation. Outputs: see OutputPlaces.
+/// Computes one trial. Inputs: lengths between supports, heights of further supports, then for every point
+/// its readings, the robot's deviation and rotation. Outputs: see OutputPlaces.
 template <class Real, class In, class Out>
 mask_of<Real> procedure(const TcpSetup& setup, std::span<const PointInputs> inputs, const In& x, Out& y) {
     using namespace real_functions;

@@ -89,7 +89,7 @@ private:
         add_bars(point, point.name);
     }
 
-    // As a planned arc, in steps of a few degrees.
+    // Adds the planned arc, in steps of a few degrees.
     void add_arc(const Sequence& sequence) {
         const Eigen::Isometry3d X_RF = X_RB_ * setup_.X_BF;
         const double first = setup_.points[sequence.first].angle;

@@ -1,4 +1,4 @@
-// What follows from the fields of "TCP from ballbars".
+// The set-up of "TCP from ballbars" and what follows from its fields.
 #include "core/kinds/ballbar/setup.h"
 #include "core/quantity/distribution.h"
 

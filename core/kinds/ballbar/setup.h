@@ -25,7 +25,7 @@ enum class Task {
     points,    ///< no tool: the points alone
 };
 
-/// Which axes of the flange are taken as measured; the others complete a right-handed frame.
+/// Rule for which axes of the flange are taken as measured; the others complete a right-handed frame.
 struct FrameRule {
     const char* key;
     const char* title;
@@ -40,13 +40,13 @@ inline constexpr FrameRule frame_rules[] = {{"y-first", "y as measured, x neares
 
 struct Point {
     std::string name;    ///< "x 3"; also the group of its outputs
-    std::string label;   ///< as part of a symbol
+    std::string label;   ///< part of a symbol
     std::string source;  ///< place in the set-up
     Eigen::Vector3d p_B = Eigen::Vector3d::Zero();
     double angle = 0.0;  ///< commanded rotation from the zero pose
     double cosine = 1.0, sine = 0.0;
-    std::array<double, most_supports> length{};       ///< to the supports, at the estimates
-    std::array<double, most_supports> weights{};      ///< of them, when there are more than three
+    std::array<double, most_supports> length{};       ///< lengths to the supports, at the estimates
+    std::array<double, most_supports> weights{};      ///< set when there are more than three
     Eigen::Matrix3d lever = Eigen::Matrix3d::Zero();  ///< displacement by small rotations of the flange
 };
 
@@ -93,8 +93,8 @@ struct TcpSetup : StatedTcp {
     explicit TcpSetup(StatedTcp stated) : StatedTcp(std::move(stated)) {}
     std::vector<Point> points;
     std::vector<Sequence> sequences;
-    std::vector<Eigen::Vector3d> supports;                   ///< in B
-    int first_axis = 1, second_axis = 0;                     ///< of the frame rule, among the measured ones
+    std::vector<Eigen::Vector3d> supports;                   ///< places in B
+    int first_axis = 1, second_axis = 0;                     ///< of the frame rule, among the measured axes
     Eigen::Isometry3d X_BF = Eigen::Isometry3d::Identity();  ///< flange at zero rotation
     Eigen::Vector3d tool_F = Eigen::Vector3d::Zero();
     bool turns = false;  ///< the robot's orientation scatters too
@@ -127,8 +127,8 @@ Layout tcp_layout(const TcpSetup& setup);
 
 inline constexpr char axis_letters[] = "xyz";
 
-/// Where outputs begin. With a tool: x, y, z of it; two angles for each measured axis; the flange's centre;
-/// then the points. Without: the points.
+/// First indices of the outputs. With a tool: x, y, z of it; two angles for each measured axis; the flange's
+/// centre; then the points. Without: the points.
 struct OutputPlaces {
     std::size_t angles = 3, centre = 3, points = 0;
     explicit OutputPlaces(const TcpSetup& setup) {

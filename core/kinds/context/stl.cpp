@@ -29,7 +29,7 @@ bool is_drawable(float coordinate) {
     return std::isfinite(coordinate) && std::abs(coordinate) <= largest_coordinate;
 }
 
-/// That which is being read: counts from 1.
+/// Number of the triangle that is being read: counts from 1.
 std::size_t number_of_next(const TriangleMesh& mesh) {
     return mesh.triangles() + 1;
 }

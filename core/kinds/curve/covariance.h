@@ -20,7 +20,7 @@ struct PointCovariance {
     }
 };
 
-/// Of one thread, kept between trials: the hot loop allocates nothing.
+/// Scratch of one thread, kept between trials: the hot loop allocates nothing.
 template <class Real>
 struct CovarianceWorkspace {
     std::vector<Real> t, y, place, slope, residual, matrix, multiplier;

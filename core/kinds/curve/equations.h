@@ -13,7 +13,7 @@ inline constexpr int most_steps = 80;
 inline constexpr double settled_limit = 1e-11;
 inline constexpr double rounding = 8e-15;
 
-/// Whether a step no longer matters: |change| <= limit, and for derivatives 1e-9 of the largest.
+/// Says whether a step no longer matters: |change| <= limit, and for derivatives 1e-9 of the largest.
 inline bool is_settled(double change, double, double limit) {
     return std::abs(change) <= limit;
 }

@@ -64,7 +64,7 @@ private:
         return setup_.points[i].y - sum_of(q_, phi_[i], fit_.polynomials.count);
     }
 
-    /// By projection on the polynomials; repeated, since their coefficients are rounded.
+    /// Finds q by projection on the polynomials; repeated, since their coefficients are rounded.
     void solve() {
         q_.fill(0.0L);
         for (int pass = 0; pass < 4; ++pass) {
@@ -161,7 +161,7 @@ private:
                 fit_.gain(Eigen::Index(j), Eigen::Index(i)) = double(phi_[i][j] * weights_[i] / Wide(n_));
     }
 
-    /// Each polynomial in powers of (x - x_0)/half_width, by its recurrence.
+    /// The polynomials in powers of (x - x_0)/half_width, by their recurrence.
     std::vector<Values<Wide>> in_powers() const {
         const Polynomials& p = fit_.polynomials;
         const Wide shift = (Wide(setup_.origin) - p.centre) / p.half_width;

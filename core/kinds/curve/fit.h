@@ -14,14 +14,14 @@ namespace covaria::curve {
 struct Fit {
     Polynomials polynomials;
     std::vector<double> q;   ///< estimates
-    double u_of_q = 0.0;     ///< of each, uncorrelated; from the residuals only
+    double u_of_q = 0.0;     ///< u of each q, uncorrelated; from the residuals only
     Eigen::MatrixXd gain;    ///< [q][point] dq/dy_i; stated uncertainties without u_x only
     Eigen::MatrixXd powers;  ///< [power][q]: coefficients of powers of x - x_0
     std::vector<double> coefficients;
     Eigen::MatrixXd at_predictions;  ///< [prediction][q]
     std::vector<double> predicted;
     std::vector<double> residuals;           ///< y_i - curve(x_i)
-    double sum_of_squares = 0.0;             ///< of the residuals
+    double sum_of_squares = 0.0;             ///< sum of the squared residuals
     double sum_of_squares_regression = 0.0;  ///< about the mean, or about zero without a constant term
     double standard_deviation = 0.0;         ///< s of the residuals
     double chi_squared = 0.0;  ///< weighted sum of squares, along x and y; of stated uncertainties only
@@ -30,7 +30,7 @@ struct Fit {
 /// Empty if the points do not determine the polynomial, or the iteration for uncertainties in x fails.
 std::optional<Fit> fit_of(const CurveSetup& setup);
 
-/// Where the curve takes the value y: all places t of the polynomials, rising.
+/// Places at which the curve takes the value y: all t of the polynomials, rising.
 std::vector<double> places_where(const Fit& fit, double y);
 
 /// The place that belongs to an observation, and what there is to say about the choice.
@@ -38,12 +38,12 @@ struct InversePlace {
     double t = 0.0;
     double slope = 0.0;          ///< dy/dt there
     std::vector<double> others;  ///< further places, x in SI
-    bool outside = false;        ///< of the points
+    bool outside = false;        ///< the place is outside of the points
 };
 /// Error: no place, or several between the points and no `near`.
 Result<InversePlace> inverse_place(const CurveSetup& setup, const Fit& fit, const Observation& observation);
 
-/// What the curve says about the points: residuals, s, chi-squared, analysis of variance; inverse use.
+/// Tables about curve and points: residuals, s, chi-squared, analysis of variance; inverse use.
 std::vector<Table> curve_evaluation(const CurveSetup& setup, const Fit& fit,
                                     const std::vector<InversePlace>& inverse);
 

@@ -1,4 +1,4 @@
-// Where a calibration curve takes a value.
+// Places at which a calibration curve takes a value: inverse use.
 #include <algorithm>
 #include <cmath>
 

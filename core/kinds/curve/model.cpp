@@ -103,7 +103,7 @@ public:
     template <class Real>
     mask_of<Real> equations(const Inputs<Real>& x, Outputs<Real>& y) const {
         const std::size_t n = setup_.coefficients();
-        curve::Values<Real> change;  // of the q from their estimates
+        curve::Values<Real> change;  // change of the q from their estimates
         mask_of<Real> valid = changes(x, change);
         const auto linear = [&](const Eigen::MatrixXd& rows, std::size_t row, double estimate) {
             Real sum(estimate);
@@ -163,7 +163,7 @@ private:
         return settled;
     }
 
-    /// As JCGM 100 H.3, with terms that are not correlated (H.3.5); all have the one s of the residuals.
+    /// Makes the terms inputs, which are uncorrelated (JCGM 100 H.3.5); all have the one s of the residuals.
     void add_terms_as_inputs() {
         for (std::size_t j = 0; j < fit_.q.size(); ++j) {
             const std::string symbol = "q_" + std::to_string(j + 1);
@@ -225,7 +225,7 @@ private:
         if (setup_.has_covariance() && setup_.has_u_x()) covariance_.emplace(setup_, fit_.polynomials);
     }
 
-    /// One component that all coordinates of an axis have.
+    /// Adds one component that all coordinates of an axis have.
     void add_common(const char* axis, double u, const Unit& unit) {
         const std::size_t component =
             inputs_.add(stated(std::string(axis) + ".common", tell<"common deviation of all %1">(axis), unit,
@@ -281,11 +281,11 @@ private:
     CurveSetup setup_;
     Fit fit_;
     std::vector<InversePlace> inverse_;
-    std::shared_ptr<const evidence::RedundantReadings> evidence_;  ///< with what was stated
+    std::shared_ptr<const evidence::RedundantReadings> evidence_;  ///< evidence about what was stated
     InputSet inputs_;
     VarianceEstimate estimate_;  ///< the residuals' s
     std::vector<OutputQuantity> outputs_;
-    std::optional<curve::PointCovariance> covariance_;  ///< with uncertainties in x
+    std::optional<curve::PointCovariance> covariance_;  ///< set with uncertainties in x
     std::vector<std::size_t> of_x_;                     ///< input of each point's x; npos: a constant
     std::size_t first_observation_ = 0;
 };

@@ -56,8 +56,8 @@ Real sum_of(const Values<Real>& weights, const Values<Real>& of, std::size_t cou
     return sum;
 }
 
-/// By Arnoldi's process with reorthogonalisation, in extended precision. `weights` have the mean 1. Empty if
-/// the points do not determine so many.
+/// Polynomials by Arnoldi's process with reorthogonalisation, in extended precision. `weights` have the mean
+/// 1. Empty if the points do not determine so many.
 std::optional<Polynomials> orthonormal_polynomials(std::span<const double> x, std::span<const double> weights,
                                                    std::size_t count, std::optional<double> zero_at);
 

@@ -1,4 +1,4 @@
-// What follows from the fields of "calibration curve".
+// The set-up of "calibration curve" and what follows from its fields.
 #include "core/kinds/curve/setup.h"
 
 #include <algorithm>
@@ -68,7 +68,7 @@ void check_correlations(const CurveSetup& setup, Problems& problems) {
     }
 }
 
-/// From the units of x and y to SI.
+/// Converts the figures of a set-up from the units of x and y to SI.
 void convert(CurveSetup& setup) {
     const Unit &x = setup.x_unit, &y = setup.y_unit;
     setup.common_u_x = x.interval_to_si(setup.common_u_x);
@@ -117,7 +117,7 @@ bool CurveSetup::has_u_x() const {
            std::any_of(points.begin(), points.end(), [](const Point& p) { return p.u_x > 0.0; });
 }
 
-// All x, then all y; nothing where no two are correlated.
+// The covariance of all x, then all y; left empty where no two are correlated.
 void make_covariance(CurveSetup& setup) {
     const bool common = setup.common_u_x > 0.0 || setup.common_u_y > 0.0;
     if (setup.from_residuals || (setup.correlations.empty() && !common)) return;

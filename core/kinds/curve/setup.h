@@ -55,8 +55,8 @@ struct CurveSetup {
     std::vector<StatedPoint> stated_points;
     std::vector<Point> points;
     std::vector<StatedCorrelation> correlations;
-    double common_u_x = 0.0, common_u_y = 0.0;  ///< of deviations that all x, all y share; SI once read
-    Eigen::MatrixXd covariance;                 ///< of all x, then all y; empty where none are correlated
+    double common_u_x = 0.0, common_u_y = 0.0;  ///< u of a deviation of all x, of all y; SI once read
+    Eigen::MatrixXd covariance;                 ///< covariance of all x, then all y; empty: uncorrelated
     std::vector<Prediction> predictions;
     std::vector<Observation> observations;
     std::size_t degree = 1;
@@ -64,7 +64,7 @@ struct CurveSetup {
     double origin = 0.0;          ///< x_0
     bool from_residuals = true;
     evidence::UncertaintiesFrom uncertainties = evidence::UncertaintiesFrom::stated;
-    evidence::TakenFactor seen_x = {}, seen_y = {};  ///< by which the u of `points` are not those stated
+    evidence::TakenFactor seen_x = {}, seen_y = {};  ///< ratios of the u of `points` to those stated
     Unit x_unit, y_unit;
     bool has_u_x() const;
     bool has_covariance() const { return covariance.size() > 0; }
@@ -74,7 +74,7 @@ struct CurveSetup {
 };
 
 const Fields<CurveSetup>& curve_fields();
-/// Of what is stated of the points and between them.
+/// Makes the covariance from what is stated of the points and between them.
 void make_covariance(CurveSetup& setup);
 std::optional<CurveSetup> read_curve_setup(const SetupReader& reader, const AssetLibrary& assets,
                                            Problems& problems);

@@ -1,4 +1,4 @@
-// What a calibration curve says about its points, as tables.
+// Tables about the points of a calibration curve.
 #include <cmath>
 
 #include "core/kinds/curve/fit.h"

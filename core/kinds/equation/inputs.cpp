@@ -38,7 +38,7 @@ struct Draft {
     std::optional<double> estimate;  ///< SI
     std::size_t components = 0;
     std::optional<std::size_t> observed;  ///< component from observations
-    std::string estimate_of_variance;     ///< with quantities observed at the same time
+    std::string estimate_of_variance;     ///< name of the variance from simultaneous observations
 };
 
 /// Means of simultaneous observations have one estimate of their covariance matrix: c^T S c has n - 1

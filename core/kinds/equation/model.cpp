@@ -18,7 +18,7 @@ using equation::Program;
 /// Registers of one thread, kept between blocks: the hot loop allocates nothing.
 class Workspace {
 public:
-    /// At least `count` batches.
+    /// Room for at least `count` batches.
     Batch* batches(std::size_t count) {
         if (batches_.size() < count) batches_.resize(count);
         return batches_.data();
@@ -146,8 +146,8 @@ private:
     std::size_t width_ = 1;
 };
 
-/// What has no value at the estimates: the first operation whose result is not a number, or the system it is
-/// part of.
+/// Error for what has no value at the estimates: the first operation whose result is not a number, or the
+/// system it is part of.
 equation::TextProblem no_value(const Program& program, std::size_t instruction) {
     for (const equation::NewtonSystem& system : program.systems) {
         if (instruction < system.first || instruction >= system.last) continue;

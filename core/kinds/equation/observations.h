@@ -18,12 +18,12 @@ public:
 
     bool has(const std::string& quantity) const { return of_.contains(quantity); }
     std::vector<std::string> quantities() const;
-    /// All its series, in the unit of the quantity; empty without any.
+    /// All series of the quantity, in its unit; empty without any.
     ObservedQuantity listed(const InputQuantity& quantity) const;
 
     struct Mean {
-        double mean = 0.0;  ///< as typed
-        double u = 0.0;     ///< of the mean
+        double mean = 0.0;  ///< mean as typed
+        double u = 0.0;     ///< standard uncertainty of the mean
         double degrees_of_freedom = 0.0;
         std::size_t count = 0;
     };
@@ -40,7 +40,7 @@ public:
 private:
     struct Series {
         std::vector<double> values;
-        std::vector<int> numbers;  ///< of simultaneous observations; empty if one has none
+        std::vector<int> numbers;  ///< numbers of simultaneous observations; empty if one has none
     };
     using SeriesByName = std::map<std::string, Series>;
     const Series* present_series(const std::string& quantity) const;

@@ -8,8 +8,8 @@
 
 namespace covaria::equation_model {
 
-/// Of the rows of that quantity, in SI: each value with its weight, or rectangular cells between the edges.
-/// Errors: rows that are missing, weights that are missing or of no sum, edges that do not rise.
+/// Distribution from the rows of a quantity, SI: each value with its weight, or rectangular cells between the
+/// edges. Errors: rows that are missing, weights that are missing or of no sum, edges that do not rise.
 Result<Distribution> sampled_distribution(const std::vector<Observation>& rows, const std::string& quantity,
                                           const Unit& unit, bool histogram);
 

@@ -29,19 +29,19 @@ struct StatedComponent {
     std::string unit = "1";
     std::string statement;
     std::optional<double> a, b;
-    std::string stated_unit;  ///< of a and b; empty: the row's
+    std::string stated_unit;  ///< unit of a and b; empty: the row's
     std::optional<double> nu, r_u;
     std::string source;
-    std::string ensemble;  ///< of quantities whose uncertainties one evaluation gave
+    std::string ensemble;  ///< shared by quantities whose uncertainties one evaluation gave
     Referred instrument;
 };
 
 struct Observation {
     std::string quantity;
-    std::optional<int> number;  ///< of the simultaneous observation
+    std::optional<int> number;  ///< number of the simultaneous observation
     std::string series;
     double value = 0.0;            ///< as typed, in the unit of the quantity
-    std::optional<double> weight;  ///< of a value of a sample, or of the cell that begins at an edge
+    std::optional<double> weight;  ///< weight of the value in a sample, or of the cell that begins at an edge
 };
 
 /// The set-up as typed.
@@ -50,14 +50,14 @@ struct StatedEquations {
     std::vector<StatedOutput> outputs;
     std::vector<StatedComponent> components;
     std::vector<Observation> observations;
-    bool normal_means = false;  ///< of observations, instead of Student t
+    bool normal_means = false;  ///< means of observations are normal, instead of Student t
 };
 const Fields<StatedEquations>& equation_fields();
 
 /// The observations of one quantity, in its unit.
 struct ObservedQuantity {
     struct Series {
-        std::string name;  ///< of an earlier series; empty: the present one
+        std::string name;  ///< name of an earlier series; empty: the present one
         std::vector<double> values;
     };
     std::string symbol, name;
@@ -88,23 +88,23 @@ Setup with_rows_for_names(const Setup& setup);
 /// Input quantities as the tables state them, with their units.
 struct StatedQuantities {
     InputSet inputs;
-    std::vector<equation::KnownSymbol> symbols;  ///< of the same quantities
-    std::vector<std::size_t> rows;               ///< of the table, where each is first named
-    std::vector<ObservedQuantity> observed;      ///< those of them that have observations
+    std::vector<equation::KnownSymbol> symbols;  ///< symbols of the same quantities
+    std::vector<std::size_t> rows;               ///< row of the table where each is first named
+    std::vector<ObservedQuantity> observed;      ///< those of the quantities that have observations
 };
 StatedQuantities read_quantities(const StatedEquations& stated, Problems& problems);
 
 /// "/equations/1/14-16": line and columns, from 0 and 1.
 std::string path_of(const equation::Place& place);
 void report(const equation::TextProblems& found, Problems& problems);
-/// With the ways out of those that are about temperatures in degC.
+/// Reports them; those about temperatures in degC with the ways out.
 void report(const equation::TextProblems& found, const StatedEquations& stated, Problems& problems);
 
-/// Of a figure of a row that is stated as a part (in %, ppm) of a temperature in degC: the same part of its
-/// reading, in K. `estimate`: SI.
+/// Ways out for a figure of a row that is stated as a part (in %, ppm) of a temperature in degC: the same
+/// part of its reading, in K. `estimate`: SI.
 std::vector<Remedy> remedies_for_part(const StatedEquations& stated, std::size_t row, const Unit& unit,
                                       double estimate);
-/// The ways out for the statement in that row; `estimate`: SI, as far as it is known. Of limits in degC of a
+/// Ways out for the statement in that row; `estimate`: SI, as far as it is known. For limits in degC of a
 /// quantity in `unit`, which may be a difference: both are one, or both are temperatures.
 std::vector<Remedy> remedies_for_statement(const StatedEquations& stated, std::size_t row, const Unit& unit,
                                            const std::optional<double>& estimate);

@@ -9,7 +9,7 @@ namespace covaria::equation_model {
 
 namespace {
 
-/// In the order of the chart and its legend, from the first of several series.
+/// Colour of a series, in the order of the chart and its legend, from the first of several series.
 SeriesRole role_of_series(std::size_t index, std::size_t count) {
     if (count == 1) return SeriesRole::data;
     constexpr auto first = static_cast<int>(SeriesRole::family_1);

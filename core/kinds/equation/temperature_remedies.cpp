@@ -23,7 +23,7 @@ double without_tail(double figure) {
     return read;
 }
 
-/// Where the character with this number (from 0) begins.
+/// Byte at which the character with this number (from 0) begins; a line is UTF-8.
 std::size_t byte_of(const std::string& line, std::size_t character) {
     std::size_t at = 0;
     for (; at < line.size(); ++at)
@@ -78,8 +78,8 @@ const StatedComponent* first_row(const StatedEquations& stated, const std::strin
     return found == stated.components.end() ? nullptr : &*found;
 }
 
-/// As a difference, and as a thermodynamic temperature: all rows of the quantity in K (in degR, where they
-/// are in degF).
+/// Adds two ways out: a difference, and a thermodynamic temperature, with all rows of the quantity in K (in
+/// degR, where they are in degF).
 void add_remedies_of_quantity(const StatedEquations& stated, const std::string& symbol, const Unit& unit,
                               std::vector<Remedy>& remedies) {
     const Unit interval = unit.interval();

@@ -11,7 +11,7 @@
 
 namespace covaria {
 
-/// One figure for each axis; empty where none is given.
+/// Figures of the axes, one for each; empty where none is given.
 using AxisFigures = std::array<std::optional<double>, most_channels>;
 
 /// Choices of a column that names an axis, by its index in force_axes.

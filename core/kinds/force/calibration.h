@@ -29,19 +29,19 @@ struct StepReading {
 
 struct Run {
     int number = 0;
-    std::optional<Readings> zero_before, zero_after;  ///< as indicated
-    std::vector<StepReading> increasing, decreasing;  ///< by load, rising
-    double time_before = 0.0, time_after = 0.0;       ///< of the unloaded readings, s; NaN: not known
+    std::optional<Readings> zero_before, zero_after;  ///< unloaded readings, as indicated
+    std::vector<StepReading> increasing, decreasing;  ///< readings by load, rising
+    double time_before = 0.0, time_after = 0.0;       ///< times of the unloaded readings, s; NaN: not known
     const StepReading* decreasing_at(int step) const;
 };
 
-/// All readings while one axis is loaded.
+/// The readings of all channels while one axis is loaded.
 struct Series {
-    std::vector<Run> preloads;  ///< with one increasing reading each
+    std::vector<Run> preloads;  ///< runs with one increasing reading each
     std::vector<Run> runs;
 };
 
-/// What the calibration was meant to be (Kim, section 3 and Fig. 2). Times in s.
+/// The plan of the calibration (Kim, section 3 and Fig. 2). Times in s.
 struct Plan {
     int preloads = 3, runs = 3, steps = 5;
     bool decreasing = true;
@@ -68,12 +68,12 @@ enum class Figure {
     interference,
     u_c,
     U,
-    U_relative,  ///< by the rated output (Eq 12b)
-    U_load,      ///< as a load (Eq 12c), without unit
+    U_relative,  ///< U over the rated output (Eq 12b)
+    U_load,      ///< U as a load (Eq 12c), without unit
     count
 };
 
-/// What was stated of the channel or load of an axis; places without a figure are empty.
+/// Figures stated of the channel or load of an axis; empty where there is none.
 template <std::size_t N>
 struct AxisRow {
     std::size_t axis = 0;
@@ -108,9 +108,9 @@ struct StatedSensor {
     };
     std::vector<Channel> stated_channels;
     Eigen::Isometry3d placement = Eigen::Isometry3d::Identity();
-    double diameter = 0.0, height = 0.0;  ///< of the housing
+    double diameter = 0.0, height = 0.0;  ///< of the housing, m
     double resolution = 0.0;
-    std::optional<double> range;  ///< of the indicator
+    std::optional<double> range;  ///< range of the indicator
     Offered<ForceCalibratorSource> calibrator;
     bool from_readings = true;
     std::vector<Reading> readings;
@@ -119,8 +119,8 @@ struct StatedSensor {
     bool has_signs = true;
     Plan plan;
     double k = 2.0;                     ///< coverage factor of Eq 12
-    bool rows_are_loads = false;        ///< of Tables 2 and 4; else rows are sensors
-    std::vector<StatedFigures> stated;  ///< to be compared
+    bool rows_are_loads = false;        ///< rows of Tables 2 and 4 are loads; else sensors
+    std::vector<StatedFigures> stated;  ///< figures to be compared
     std::vector<StatedInterference> stated_interference;
 };
 const Fields<StatedSensor>& sensor_fields();
@@ -138,7 +138,7 @@ struct Calibration : StatedSensor {
     double u_resolution() const;                       ///< Eq 6
     double u_zero(std::size_t h) const;                ///< Eq 7
     double u_b_computed(std::size_t h) const;          ///< Eq 8
-    double u_b(std::size_t h) const;                   ///< as stated, else Eq 8
+    double u_b(std::size_t h) const;                   ///< the stated one, else Eq 8
     double u_c(std::size_t h) const;                   ///< Eq 9
     double largest_interference(std::size_t h) const;  ///< Eq 11, of the channel's outputs
     double U(std::size_t h) const;                     ///< Eq 12a

@@ -1,4 +1,4 @@
-// What follows from the readings of a calibration (Kim, Eqs 1 to 12).
+// Results of the readings of a calibration (Kim, Eqs 1 to 12).
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -26,7 +26,7 @@ double mean_of(const std::vector<double>& values) {
     return sum / static_cast<double>(values.size());
 }
 
-/// Those of all runs by rising load, without figures.
+/// Steps of all runs by rising load, still without figures.
 std::vector<StepStatistics> steps_of(const std::vector<Run>& runs) {
     std::vector<StepStatistics> steps;
     for (const Run& run : runs)

@@ -155,7 +155,7 @@ void add_method(Fields<StatedSensor>& fields) {
                 false);
 }
 
-/// In the order of Figure.
+/// Columns of the stated figures, in the order of Figure.
 std::array<ColumnSpec, static_cast<std::size_t>(Figure::count)> stated_columns() {
     const auto printed = [](const char* key, const char* title) {
         return ColumnSpec{.key = key,

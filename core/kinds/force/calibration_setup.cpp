@@ -157,7 +157,7 @@ private:
 
     Calibration& calibration_;
     Problems& problems_;
-    std::size_t row_ = 0;  ///< that is read
+    std::size_t row_ = 0;  ///< row that is being read
     int messages_ = 0;
 };
 

@@ -31,8 +31,8 @@ double half_digit(const std::vector<Row>& rows, std::size_t column, const Unit& 
 struct Compared {
     std::string sensor;
     double stated = 0.0, computed = 0.0;
-    double half = 0.0;      ///< of the last digit printed
-    double rounding = 0.0;  ///< by which rounded inputs may move the computed value
+    double half = 0.0;      ///< half of the last digit printed
+    double rounding = 0.0;  ///< most that rounded inputs may move the computed value
     bool reproduces() const { return std::abs(stated - computed) <= half * (1.0 + 1e-6); }
     bool inside_rounding() const { return std::abs(stated - computed) <= (half + rounding) * (1.0 + 1e-6); }
 };
@@ -61,7 +61,7 @@ public:
     }
 
 private:
-    /// In the order of Figure.
+    /// Computed values of a channel, in the order of Figure.
     std::array<double, static_cast<std::size_t>(Figure::count)> computed(std::size_t h) const {
         const ForceChannel& channel = calibration_.channels[h];
         const double U = calibration_.U(h), U_relative = U / std::abs(channel.rated_output);
@@ -72,8 +72,8 @@ private:
                 U_relative,           U_relative * channel.rated_load};
     }
 
-    /// Of values computed from a summary, whose last digit is rounded: u_c depends on two such values, U on
-    /// those and two more, with k.
+    /// Largest rounding of a value computed from a summary, whose last digit is rounded: u_c depends on two
+    /// such values, U on those and two more, with k.
     double rounding(Figure figure, std::size_t h) const {
         if (calibration_.from_readings) return 0.0;
         const double digit = half_of(Figure::u_A);
@@ -132,7 +132,7 @@ private:
         add("largest interference, percent", percent, largest);
     }
 
-    /// One line for all that reproduce, one for each other value.
+    /// Adds one line for all that reproduce, and one for each other value.
     void add(const std::string& quantity, const Unit& unit, const std::vector<Compared>& rows) {
         if (rows.empty()) return;
         const auto equal =

@@ -11,7 +11,7 @@ namespace {
 
 const Unit ratio = Unit::of("mV/V");
 const Unit percent = Unit::of("%");
-constexpr int ratio_decimals = 5;  // of mV/V, as indicators show it
+constexpr int ratio_decimals = 5;  // decimals of mV/V, as indicators show it
 
 std::string key_of(const Calibration& calibration, std::size_t h) {
     return calibration.channels[h].kind().key;

@@ -12,7 +12,7 @@
 
 namespace covaria::force_channels {
 
-/// What acts on the other axes while a channel is read.
+/// Loads that act on the other axes while a channel is read.
 enum class OtherLoads {
     none,
     largest,  ///< one, that to which the channel answers most
@@ -24,7 +24,7 @@ struct ChannelSetup {
     OtherLoads others = OtherLoads::all;
     bool pooled = false;     ///< standard deviation pooled over the steps
     bool student_t = false;  ///< Type A by a t-distribution in Monte Carlo (JCGM 101 6.4.9)
-    double k = 2.0;          ///< of the comparison
+    double k = 2.0;          ///< coverage factor of the comparison
 
     const std::vector<ForceChannel>& channels() const { return sensor->channels(); }
     std::size_t size() const { return channels().size(); }
@@ -33,7 +33,7 @@ struct ChannelSetup {
     }
     /// The channel to which h answers most; h itself if there is no other.
     std::size_t strongest(std::size_t h) const;
-    /// Whether the load on c is part of the equation of h.
+    /// Whether the load on the axis of c is part of the equation of h.
     bool interferes(std::size_t h, std::size_t c) const;
 };
 
@@ -46,7 +46,7 @@ struct Single {
     double u = 0.0, degrees_of_freedom = 0.0;
 };
 Single single_component(const ChannelSetup& setup, std::size_t h);
-/// With unknown loads on other axes, each rectangular: root sum of squares.
+/// Standard uncertainty with unknown loads on other axes, each rectangular: root sum of squares.
 double combined(const ChannelSetup& setup, std::size_t h, OtherLoads others);
 /// Sum of the magnitudes of all interference: every other axis at its rated load, signs at their worst.
 double worst_case(const ChannelSetup& setup, std::size_t h);

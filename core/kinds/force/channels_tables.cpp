@@ -8,7 +8,7 @@ namespace covaria::force_channels {
 
 namespace {
 
-/// By the rated output of the channel.
+/// The evaluations of one channel, as parts of its rated output.
 struct Comparison {
     std::string sensor;
     double paper, all, largest, alone, degrees_of_freedom, k_alone, worst;

@@ -38,9 +38,9 @@ public:
     virtual std::optional<double> relative_uncertainty(std::size_t axis) const = 0;
 };
 
-/// What a calibration says about one channel. V/V, N or N m.
+/// Figures of one channel from a calibration, in V/V, N or N m.
 struct ForceChannel {
-    std::size_t axis = 0;       ///< in force_axes
+    std::size_t axis = 0;       ///< index in force_axes
     double rated_load = 0.0;    ///< N or N m
     double rated_output = 0.0;  ///< mean net reading at the rated load (Kim, Eqs 1, 2)
     double u_a = 0.0;           ///< Type A, of the mean: the largest of all steps (Eqs 3, 4)
@@ -71,17 +71,17 @@ public:
     static constexpr const char* capability = "force-sensor";
     static constexpr const char* lacking = "is no force/moment sensor";
     virtual const std::vector<ForceChannel>& channels() const = 0;
-    virtual double resolution() const = 0;  ///< of the indicator
+    virtual double resolution() const = 0;  ///< resolution of the indicator
     /// e(h, c): net output of channel h under the rated load on the axis of channel c alone.
     virtual const Eigen::MatrixXd& rated_outputs() const = 0;
-    /// Whether the interference has signs; else it cannot be compensated.
+    /// Whether the interference has signs; without them it cannot be compensated.
     virtual bool has_signs() const = 0;
-    /// For the regression of the calibration matrix; empty if only a summary is known.
+    /// Readings for the regression of the calibration matrix; empty if only a summary is known.
     virtual const std::vector<LoadedReading>& increasing() const = 0;
     /// Kim's U of a channel (Eq 12a), by which the evaluation of the paper is compared.
     virtual double paper_expanded_uncertainty(std::size_t channel) const = 0;
     virtual const Eigen::Isometry3d& placement() const = 0;
-    virtual double height() const = 0;  ///< of its housing, m
+    virtual double height() const = 0;  ///< height of its housing, m
 };
 
 /// The sensor in an analysis of its loads, which are along its own axes: none of it can be dragged there.

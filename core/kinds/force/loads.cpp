@@ -83,7 +83,7 @@ private:
                                 .role = OutputRole::intermediate});
     }
 
-    /// With the uncertainty of its tip where all three coordinates are measured.
+    /// Adds the vector, with the uncertainty of its tip where all three coordinates are measured.
     void add_vector(std::size_t k, VectorKind kind, const std::vector<double>& y, Layout& layout) const {
         const std::size_t n = setup_.size();
         const bool moment = kind == VectorKind::moment;

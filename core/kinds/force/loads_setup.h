@@ -46,7 +46,7 @@ struct LoadsSetup {
 
     std::vector<Element> elements;  ///< row by row
     std::vector<std::size_t> rows;  ///< order in which rows are eliminated
-    double condition = 0.0;         ///< of A
+    double condition = 0.0;         ///< condition number of A
     std::vector<Case> cases;
     std::size_t first_element = 0, first_reading = 0;  ///< input quantities
 

@@ -9,10 +9,10 @@ namespace covaria::geometry {
 struct FittedForm {
     Form form = Form::plane;
     Eigen::Vector3d origin = Eigen::Vector3d::Zero();    ///< near the mean of the points
-    Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  ///< by columns
+    Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  ///< local axes by columns
     Parameters<double> v{};
-    double size = 0.0;  ///< of the points and of the form: what rounding is judged by
-    double sign = 1.0;  ///< of the direction that is stated
+    double size = 0.0;  ///< size of points and form: what rounding is judged by
+    double sign = 1.0;  ///< sign of the direction that is stated
 
     template <class Real>
     Vector3<Real> to_local(const Vector3<Real>& p) const {
@@ -119,7 +119,7 @@ mask_of<Real> fit(const FittedForm& start, const Points& q, std::size_t points, 
             normal.add(rows);
         }
         const Parameters<Real> gradient = normal.gradient(), step = normal.step();
-        Real squares(0.0);  // by which the deviations change
+        Real squares(0.0);  // change of the sum of squares
         for (std::size_t i = 0; i < count; ++i) {
             squares = squares - gradient[i] * step[i];
             v[i] = v[i] + step[i];

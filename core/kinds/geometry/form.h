@@ -16,11 +16,11 @@ inline constexpr std::size_t most_rows = 3;
 struct FormFacts {
     std::size_t parameters;
     std::size_t rows;          ///< equations of a point
-    std::size_t redundancy;    ///< of a point: deviations that are independent
+    std::size_t redundancy;    ///< independent deviations of a point
     std::size_t least_points;  ///< fewer determine no form, or several
     bool has_direction;
     bool has_diameter;
-    bool is_flat = false;  ///< in the xy-plane: z does not matter
+    bool is_flat = false;  ///< lies in the xy-plane: z does not matter
 };
 
 constexpr FormFacts facts_of(Form form) {

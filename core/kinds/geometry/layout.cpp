@@ -1,4 +1,4 @@
-// Where points and features are: planes and circles as plates, other forms as lines on them.
+// Points and features in the scene: planes and circles as plates, other forms as lines on them.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -18,8 +18,8 @@ constexpr int corners_of_circle = 48;
 /// A feature as the results state it.
 struct PlacedFeature {
     Vector3d place = Vector3d::Zero(), n = Vector3d::UnitZ();
-    double radius = 0.0, slope = 0.0;  ///< slope: of a cone's radius along n
-    double low = 0.0, high = 0.0;      ///< where the points are along n
+    double radius = 0.0, slope = 0.0;  ///< slope: change of a cone's radius along n
+    double low = 0.0, high = 0.0;      ///< extent of the points along n
 };
 
 class LayoutOfFeatures {

@@ -51,7 +51,7 @@ public:
             const Feature& feature = setup_.features[k];
             const Eigen::MatrixXd D = geometry::derivatives_of(feature, x);
             if (D.size() == 0) return false;
-            const std::size_t first = feature.points.front().first_input;  // of points that follow each other
+            const std::size_t first = feature.points.front().first_input;  // the points follow each other
             for (Eigen::Index j = 0; j < D.rows(); ++j)
                 for (Eigen::Index i = 0; i < D.cols(); ++i)
                     if (D(j, i) != 0.0)
@@ -90,7 +90,7 @@ private:
     GeometrySetup setup_;
     InputSet inputs_;
     std::vector<OutputQuantity> outputs_;
-    std::vector<std::size_t> first_outputs_;  ///< of each feature
+    std::vector<std::size_t> first_outputs_;  ///< first output of each feature
 };
 
 std::unique_ptr<MeasurementModel> create_geometry(const SetupReader& reader, const AssetLibrary& assets,

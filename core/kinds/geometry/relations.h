@@ -15,21 +15,21 @@
 namespace covaria::geometry {
 
 enum class Relation {
-    distance,        ///< of the places of two features
-    from_plane,      ///< of a place from a plane, along its normal
-    from_line,       ///< of a place from a line
-    between_lines,   ///< along their common perpendicular
-    angle,           ///< of two directions
-    tilts,           ///< of a direction against another
-    middle,          ///< of two places
-    foot_on_plane,   ///< of a place
-    foot_on_line,    ///< of a place
+    distance,        ///< between the places of two features
+    from_plane,      ///< distance of a place from a plane, along its normal
+    from_line,       ///< distance of a place from a line
+    between_lines,   ///< distance along their common perpendicular
+    angle,           ///< between two directions
+    tilts,           ///< angles of a direction against another
+    middle,          ///< point between two places
+    foot_on_plane,   ///< point of a plane next to a place
+    foot_on_line,    ///< point of a line next to a place
     line_and_plane,  ///< their common point
     two_lines,       ///< middle of their common perpendicular
     three_planes,    ///< their common point
     two_planes,      ///< their common line
     frame,           ///< place, z along a direction, x towards a third feature
-    frame_on_plane,  ///< likewise, the origin moved into a plane along its normal, which is z
+    frame_on_plane,  ///< as `frame`, the origin moved into a plane along its normal, which is z
 };
 
 struct RelatedFeature {
@@ -75,7 +75,7 @@ struct RelationSetup {
 std::optional<RelationSetup> read_relations(const SetupReader& reader, const AssetLibrary& assets,
                                             Problems& problems);
 
-/// How many features a relation takes, and which of them need a direction.
+/// Number of features that a relation takes, and which of them need a direction.
 struct RelationNeeds {
     std::size_t least, most;
     std::array<bool, 3> direction;
@@ -113,7 +113,7 @@ struct FeatureValues {
     bool has_direction;
 };
 
-/// From x of the feature, relative to `origin`: places may be far away.
+/// Values of a feature from its x on, relative to `origin`: places may be far away.
 template <class Real, class In>
 FeatureValues<Real> values_of(const PlacedInput& feature, const In& x, const Eigen::Vector3d& origin) {
     using namespace real_functions;

@@ -1,4 +1,4 @@
-// What is stated of a feature, from its parameters and points, once for every number type.
+// Results stated of a feature, from its parameters and points, once for every number type.
 #pragma once
 
 #include <span>
@@ -30,7 +30,7 @@ inline ResultPlaces places_of(const Feature& feature) {
     return at;
 }
 
-/// All but the form deviations: set(index, value). `mean`: of the points, in local axes.
+/// Sets all but the form deviations by set(index, value). `mean`: that of the points, in local axes.
 template <class Real, class Set>
 void set_results(const Feature& feature, const Parameters<Real>& v, const Vector3<Real>& mean,
                  const Set& set) {

@@ -11,7 +11,7 @@ namespace covaria::geometry {
 
 namespace {
 
-constexpr double no_deviation = 1e-10;  // to the size: points that were computed, not measured
+constexpr double no_deviation = 1e-10;  // relative to the size: less belongs to computed points
 
 std::string row_of(std::size_t row) {
     return geometry_fields().place(&StatedGeometry::points, row);

@@ -42,7 +42,7 @@ const Fields<StatedGeometry>& geometry_fields();
 
 struct FeaturePoint {
     std::string name;
-    std::size_t row = 0;  ///< of the table of points
+    std::size_t row = 0;  ///< row in the table of points
     Eigen::Vector3d p = Eigen::Vector3d::Zero();
     std::size_t first_input = 0;  ///< x; y and z follow, of flat forms y alone
 };
@@ -53,7 +53,7 @@ struct Feature {
     std::vector<FeaturePoint> points;
     bool has_form = false;  ///< its deviations are results
     double s = 0.0;         ///< standard deviation of the points about it
-    double s_plane = 0.0;   ///< of a circle: about its plane
+    double s_plane = 0.0;   ///< standard deviation about its plane, of a circle
 
     Form form() const { return fitted.form; }
     std::size_t coordinates() const { return facts_of(form()).is_flat ? 2 : 3; }
@@ -79,8 +79,8 @@ InputSet geometry_inputs(GeometrySetup& setup, Problems& problems);
 
 /// Deviations of the points from a form.
 struct Deviations {
-    std::vector<double> d;        ///< as `deviation_of`
-    std::vector<double> heights;  ///< of a circle: above its plane
+    std::vector<double> d;        ///< deviations as by `deviation_of`
+    std::vector<double> heights;  ///< heights above its plane, of a circle
     double squares = 0.0, squares_of_heights = 0.0;
 };
 Deviations deviations_of(const FittedForm& fitted, const std::vector<Eigen::Vector3d>& points);

@@ -18,8 +18,8 @@ struct Rows {
     std::array<Parameters<Real>, most_rows> J;
 };
 
-/// In local axes near the form: z along its direction (x for a line in a plane); x from the middle of an arc
-/// outwards. Parameters are
+/// A form in local axes near it: z along its direction (x for a line in a plane); x from the middle of an
+/// arc outwards. Parameters are
 ///   point (x, y, z); line in the plane (h, a); line (x, y, a, b); plane (h, a, b);
 ///   circle in the plane (h, y, r); circle (h of its plane, a, b; h, y, r); sphere (x, y, h, r);
 ///   cylinder (h, y, a, b, r); cone (h, y, a, b, r, half its angle).
@@ -155,7 +155,7 @@ private:
         out.J[0][2] = (q[1] - n_[1] * height) * over_N_;
     }
 
-    /// From the axis to the point, across; `z` is how far along the axis the point is.
+    /// Vector from the axis to the point, across; `z` is how far along the axis the point is.
     Vector3<Real> across(const Vector3<Real>& q, Real& z) const {
         const Vector3<Real> w = q - P_;
         z = n_.dot(w);

@@ -18,7 +18,7 @@ using Eigen::Vector3d;
 using Points = std::vector<Vector3d>;
 
 constexpr double least_extent = 1e-9;   // across, to the largest: less is rounding
-constexpr double largest_radius = 1e5;  // to the extent of the points: more is a plane, or a line
+constexpr double largest_radius = 1e5;  // relative to the extent of the points: more is a plane, or a line
 constexpr std::size_t most_sampled = 150;
 constexpr int tried_directions = 240;
 constexpr std::size_t refined_starts = 12;
@@ -112,7 +112,7 @@ std::vector<Vector3d> directions(const Matrix3d& principal) {
     return all;
 }
 
-/// In axes that lie in the form; `place` may be anywhere on an axis.
+/// The form in axes that lie in it; `place` may be anywhere on an axis.
 FittedForm local_form(Form which, const InSpace& form) {
     FittedForm local;
     local.form = which;
@@ -246,7 +246,7 @@ public:
         for (const Vector3d& q : q_) S += q * q.transpose() / double(q_.size());
         const auto solver = eigen_decomposition(S);
         principal_ = solver.eigenvectors();
-        // Of the values themselves only half the digits would be left.
+        // The eigenvalues themselves would keep only half the digits.
         for (Index k = 0; k < 3; ++k)
             for (const Vector3d& q : q_)
                 extents_[k] = std::max(extents_[k], std::abs(principal_.col(k).dot(q)));
@@ -411,7 +411,7 @@ private:
     Form form_;
     Vector3d origin_;
     double extent_ = 0.0;
-    Points q_;  ///< from the origin, in extents
+    Points q_;  ///< points from the origin, in extents
     Matrix3d principal_;
     Vector3d extents_ = Vector3d::Zero();  ///< along them, rising
     InSpace best_;

@@ -13,7 +13,7 @@ namespace covaria::geometry {
 /// leads from the apex into it. Error: the points determine no such form.
 Result<FittedForm> fitted_form(Form form, const std::vector<Eigen::Vector3d>& points);
 
-/// How much a standard uncertainty of 1 in every coordinate makes of each parameter, and their correlation.
+/// Cofactors: covariance of the parameters for an uncorrelated standard uncertainty of 1 in every coordinate.
 Eigen::MatrixXd cofactors(const FittedForm& fitted, const std::vector<Eigen::Vector3d>& points);
 
 }  // namespace covaria::geometry

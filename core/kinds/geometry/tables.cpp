@@ -16,11 +16,11 @@ using Eigen::MatrixXd;
 
 constexpr double strong_correlation = 0.99;
 
-/// Where in the parameters the centre across, the slopes and the radius are; npos: the form has none.
+/// Indices among the parameters of the centre across, the slopes and the radius; npos: the form has none.
 struct ParameterPlaces {
     static constexpr std::size_t npos = static_cast<std::size_t>(-1);
     std::size_t centre = npos, centre_count = 0, slopes = npos, slope_count = 0, offset = npos, radius = npos;
-    std::size_t height = npos;  ///< of the middle of the arc
+    std::size_t height = npos;  ///< height of the middle of the arc
 };
 
 ParameterPlaces places_in(Form form) {
@@ -47,11 +47,11 @@ ParameterPlaces places_in(Form form) {
     return {0, 2, 2, 2, none, 4, 0};
 }
 
-/// What a u of 1 in every coordinate makes of a feature, whatever the points' uncertainty really is.
+/// Uncertainties of a feature for a u of 1 in every coordinate, whatever that of the points really is.
 struct ConditionOfFeature {
     std::vector<double> centre, slopes;  ///< along their principal axes, falling
     double offset = 0.0, radius = 0.0, angle = 0.0;
-    double correlation = 0.0;  ///< of the radius and the centre, along the middle of the arc
+    double correlation = 0.0;  ///< correlation of the radius and the centre, along the middle of the arc
     double covered = 0.0;      ///< largest angle of a point from the middle of the arc
 };
 

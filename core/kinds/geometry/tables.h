@@ -1,4 +1,4 @@
-// What the points say about the features, as tables, and where they are.
+// Tables of what the points say about the features, and the layout of both.
 #pragma once
 
 #include <span>

@@ -13,7 +13,7 @@ using group_observations::Between;
 using group_observations::GroupSetup;
 using group_observations::Variances;
 
-/// Of all ways to take the groups into account, in the order of `Between`.
+/// Equations of all ways to take the groups into account, in the order of `Between`.
 const std::vector<ModelEquation>& group_equations() {
     static const std::vector<ModelEquation> all{
         {"s_a² = Σ n_j (V̄_j − V̄)²/(J − 1),  s_b² = Σ (V_jk − V̄_j)²/(N − J)",

@@ -16,10 +16,10 @@ struct Group {
     std::string name;
     double count = 0.0;
     double mean = 0.0;            ///< less the reference: metres that differ by micrometres keep their digits
-    double sum_of_squares = 0.0;  ///< of the deviations from the mean
+    double sum_of_squares = 0.0;  ///< sum of the squared deviations from the mean
 };
 
-/// What the mean and its uncertainty are taken from.
+/// Basis of the mean and its uncertainty.
 enum class Between {
     included,    ///< the scatter of the groups' means (JCGM 100 H.5.2.3)
     components,  ///< the components of variance, which also weight the groups
@@ -31,11 +31,11 @@ struct StatedGroups {
     enum class Data { observations, summary };
     struct Observation {
         std::string group;
-        double value = 0.0;  ///< in `unit`
+        double value = 0.0;  ///< given in `unit`
     };
     struct Summary {
         std::string group;
-        double mean = 0.0, s = 0.0;  ///< in `unit`
+        double mean = 0.0, s = 0.0;  ///< given in `unit`
         std::optional<int> n;        ///< empty: per_group
     };
     std::string symbol, name;
@@ -61,11 +61,11 @@ struct Variances {
     double between_squares = 0.0, within_squares = 0.0;  ///< sums of squares
     double nu_a = 0.0, nu_b = 0.0;                       ///< J - 1, N - J
     double group_size = 0.0;  ///< n_0 = (N - sum n_j^2/N)/(J - 1): K for groups of one size
-    double s_a = 0.0;         ///< from the groups' means: root of the mean square between
+    double s_a = 0.0;         ///< root of the mean square between the groups, from their means
     double s_b = 0.0;         ///< within the groups
     double ratio = 0.0;       ///< F = s_a^2/s_b^2; infinite where s_b is 0
     double s_between = 0.0;   ///< sqrt((s_a^2 - s_b^2)/n_0), 0 if that is negative
-    double u = 0.0;           ///< of the mean
+    double u = 0.0;           ///< standard uncertainty of the mean
     double degrees_of_freedom = 0.0;
 };
 

@@ -7,7 +7,7 @@
 
 namespace covaria {
 
-/// One source of variation.
+/// A source of variation: one line of the table.
 struct VarianceSource {
     Message name;
     double sum_of_squares = 0.0;  ///< SI

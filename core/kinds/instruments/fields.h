@@ -23,13 +23,13 @@ struct StatedInstrument {
     double distance_scale = 0.0;     ///< b of a + b L
     double angle_azimuth = 0.0;      ///< rad
     double angle_elevation = 0.0;    ///< rad
-    double across_constant = 0.0;    ///< of both angles, across the line of sight, m
-    std::string meaning;             ///< of these five
+    double across_constant = 0.0;    ///< constant of both angles, across the line of sight, m
+    std::string meaning;             ///< meaning of these five
     double view_nearest = 0.0, view_farthest = Range::infinity_value;
     std::optional<double> view_azimuth, view_elevation;  ///< full angles
     double u_scale = 0.0, u_zero = 0.0, u_index = 0.0, u_collimation = 0.0, u_axis_tilt = 0.0,
            u_beam_offset = 0.0, u_refraction = 0.0;
-    std::string distribution;  ///< of these seven
+    std::string distribution;  ///< distribution of these seven
     std::array<double, 6> u_station{};
     std::string station_distribution;
     std::vector<StationCorrelation> correlations;

@@ -6,11 +6,11 @@
 
 namespace covaria {
 
-/// What a sensor reads of a target, to first order: a row for every observable.
+/// Readings of a target by a sensor, to first order: a row for every observable.
 struct LinearReading : ReadingSensitivity {
     Eigen::Vector3d v;  ///< the target in the sensor's axes
 
-    /// What a reading's own deviation is multiplied by.
+    /// Factor by which a reading's own deviation is multiplied.
     double scale(Observable observable) const;
     /// Change of the reading per unit of the component.
     double effect_of(const SystematicDeviation& deviation, Observable observable) const;
@@ -19,7 +19,7 @@ LinearReading linear_reading(const Station& station, const Eigen::Vector3d& p_W)
 /// The same for an azimuth that was read, which decides what "across" is where the target is overhead.
 LinearReading linear_reading(const StationGeometry& station, const Eigen::Vector3d& p_W, double azimuth);
 
-/// What all readings of a sensor share, as independent components: its systematic deviations, then the six
+/// Components that all readings of a sensor share, independent: its systematic deviations, then the six
 /// coordinates of its station, or six combinations of them where they are correlated.
 std::vector<UncertaintyComponent> shared_components(const SensorSource& sensor);
 /// Their standard uncertainties.

@@ -14,14 +14,14 @@
 
 namespace covaria {
 
-/// What a sensor reads of a target at v = (x, y, z) in its own axes: |v|, atan2(y, x), atan2(z, hypot(x, y)).
+/// Readings of a target at v = (x, y, z) in the sensor's axes: |v|, atan2(y, x), atan2(z, hypot(x, y)).
 enum class Observable { distance, azimuth, elevation };
 inline constexpr std::array<Observable, 3> observables{Observable::distance, Observable::azimuth,
                                                        Observable::elevation};
 /// "azimuth".
 Message words_of(Observable observable);
 
-/// How the three angles of a station turn its axes.
+/// Convention by which the three angles of a station turn its axes.
 enum class StationAngles {
     zyx,  ///< R = Rz(gamma) Ry(beta) Rx(alpha)
     xyz,  ///< R = Rx(omega) Ry(phi) Rz(kappa), as in photogrammetry (Galetto et al.)
@@ -33,14 +33,14 @@ Matrix3<Real> station_rotation(StationAngles angles, const Vector3<Real>& a) {
     return rotation_x(a[0]) * rotation_y(a[1]) * rotation_z(a[2]);
 }
 
-/// Where a sensor stands: X_W = position + R x_S.
+/// Place of a sensor: X_W = position + R x_S.
 struct Station {
     std::array<double, 6> coordinates{};  ///< x, y, z in m, three angles in rad
     StationAngles angles = StationAngles::zyx;
     Eigen::Isometry3d X_WS() const;
 };
 
-/// What follows from a station alone, for all the points that are seen from it.
+/// The part of readings that follows from a station alone, for all the points that are seen from it.
 class StationGeometry {
 public:
     explicit StationGeometry(const Station& station);
@@ -64,11 +64,11 @@ struct SystematicDeviation {
 };
 
 struct StationCorrelation {
-    std::size_t first = 0, second = 0;  ///< of the six coordinates
+    std::size_t first = 0, second = 0;  ///< indices of the six coordinates
     double coefficient = 0.0;
 };
 
-/// Where a sensor sees targets, in its own axes.
+/// Region in which a sensor sees targets, in its own axes.
 struct FieldOfView {
     double nearest = 0.0, farthest = std::numeric_limits<double>::infinity();  ///< m
     double azimuth = std::numbers::pi, elevation = 0.5 * std::numbers::pi;     ///< half angles about x, rad
@@ -98,12 +98,12 @@ public:
 /// effect, a displacement in m across the azimuth read.
 inline constexpr double near_zenith = 1e-3;
 
-/// What readings of a target depend on, to first order: a row for every observable.
+/// Derivatives of the readings of a target, to first order: a row for every observable.
 struct ReadingSensitivity {
-    Eigen::Matrix3d to_point;                ///< by the target's coordinates in W
-    Eigen::Matrix<double, 3, 6> to_station;  ///< by the six coordinates of the station
+    Eigen::Matrix3d to_point;                ///< derivatives by the target's coordinates in W
+    Eigen::Matrix<double, 3, 6> to_station;  ///< derivatives by the six coordinates of the station
     bool overhead = false;
-    /// What an azimuth's own deviation in rad is multiplied by: 1, overhead the horizontal distance (at least
+    /// Factor of an azimuth's own deviation in rad: 1, overhead the horizontal distance (at least
     /// near_zenith of the distance).
     double azimuth_scale = 1.0;
 };

@@ -84,7 +84,7 @@ UncertaintyComponent typed_component(const std::string& id, Message name, const 
             .origin = tell<"instrument: standard uncertainty">()};
 }
 
-/// Everything the set-up says, in SI.
+/// The set-up with what follows from it, in SI.
 struct SensorData : StatedInstrument {
     explicit SensorData(StatedInstrument stated) : StatedInstrument(std::move(stated)) {}
     Station station;
@@ -259,7 +259,7 @@ std::array<bool, 3> readings_of(const StatedInstrument& stated) {
     return {true, true, true};
 }
 
-/// As layouts name it.
+/// Name of the glyph in layouts.
 std::string glyph_of(InstrumentKind kind) {
     constexpr const char* glyphs[] = {"total-station", "tracker",        "scanner",
                                       "camera",        "distance-meter", "total-station"};

@@ -1,4 +1,4 @@
-// What the residuals of an adjusted network say about the uncertainties that were stated of its readings.
+// Evidence that the residuals of an adjusted network give about the uncertainties stated of its readings.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -134,7 +134,7 @@ private:
     const AdjustedNetwork& network_;
     std::map<FigureKey, std::size_t> numbers_;
     std::vector<FigureKey> keys_;
-    std::vector<std::size_t> key_of_;  ///< of each reading
+    std::vector<std::size_t> key_of_;  ///< index of the figure of each reading
 };
 
 /// Readings with the factors of the figures that are seen.
@@ -198,7 +198,7 @@ void take_as_seen(AdjustedNetwork& network, UncertaintiesFrom from, Problems& pr
     const evidence::AsSeen taken = evidence::as_seen(*network.evidence, from);
     if (!taken.kept.empty()) warn(problems, taken.kept);
     if (!taken.has_any()) return;
-    // One factor rests on one estimate.
+    // With one factor for all, every reading rests on the same estimate.
     const bool one = from == UncertaintiesFrom::one_factor;
     scale(network, one ? std::vector<std::size_t>(network.readings.size(), 0) : network.evidence->figure_of,
           taken.factors);

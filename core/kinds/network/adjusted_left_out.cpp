@@ -1,4 +1,4 @@
-// What an adjustment leaves out, and why: readings by hand, gross ones, outliers; points that nothing tells.
+// Readings and points that an adjustment leaves out: by hand, gross, outliers, told by no reading; and why.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -61,7 +61,7 @@ double test_of(const StatedAdjustment& stated, const AdjustedNetwork& made, std:
     return std::abs(residual_of(made, *reading, reading->value, made.state.data())) / std::sqrt(u2);
 }
 
-/// How much the open directions move planes of points, then heights.
+/// Squares of how much the open directions move each point in the plane, then each height.
 std::vector<double> moved_by(const AdjustedNetwork& network) {
     const Eigen::MatrixXd& open = network.unsolved->open();
     const std::size_t n = network.points.size();
@@ -85,7 +85,7 @@ bool was_determined(const AdjustedNetwork& begun) {
                    .cols() == 0;
 }
 
-/// Where least squares do not lead to a place of every point, they begin robustly once more.
+/// Adjusts from the beginning; where least squares do not lead to a place of every point, once more robustly.
 void adjust_from_start(AdjustedNetwork& network, bool robust, Problems& problems) {
     const Eigen::VectorXd start = network.state;
     if (robust) start_robustly(network);
@@ -266,7 +266,7 @@ private:
         return !last_.empty();
     }
 
-    /// What was left out last is needed: it stays.
+    /// Takes back what was left out last, because the network needs it; it stays from then on.
     bool take_back() {
         for (const std::size_t row : last_) {
             stated_.readings[row].left_out = false;

@@ -14,7 +14,7 @@ namespace {
 
 using network::AdjustedNetwork;
 
-/// Its points, and what its residuals see.
+/// The points of an adjusted network, and the figures that its residuals see, for other analyses.
 class NetworkAsAsset : public OutputPoints, public network::SeenFiguresSource {
 public:
     NetworkAsAsset(const std::string& analysis, const std::vector<OutputQuantity>& outputs,
@@ -124,7 +124,7 @@ private:
 
     bool solve(std::span<const double> x, Buffers& b) const {
         constexpr int most_steps = 60;
-        constexpr double enough = 1e-11;  // of what a reading's u is
+        constexpr double enough = 1e-11;  // as a part of a reading's u
         const std::size_t n = network_.place_of.size();
         b.state.assign(network_.state.data(), network_.state.data() + network_.state.size());
         b.residuals.resize(network_.readings.size());
@@ -143,7 +143,7 @@ private:
                     length, std::abs(b.change[i]) * network_.adjusted->scale()[static_cast<Eigen::Index>(i)]);
             }
             if (!std::isfinite(length)) return false;
-            // Of large coordinates the last digit may be more than that of a reading's u.
+            // The last digit of large coordinates may be more than that part of a reading's u.
             if (length < enough || (length < 1e-5 && length > 0.5 * before)) return true;
             before = length;
         }
@@ -243,7 +243,7 @@ private:
     }
 
     std::shared_ptr<const network::NetworkEvidence> evidence_;
-    const AdjustedNetwork& network_;  ///< of the evidence
+    const AdjustedNetwork& network_;  ///< the network of `evidence_`
     InputSet inputs_;
     std::vector<Table> tables_;
     adjustment::SparseRows to_gradient_;  ///< J₀ᵀ C⁻¹

@@ -1,4 +1,4 @@
-// What readings of a network adjustment are of its points, and their derivatives.
+// Equations of the readings of a network adjustment as functions of its points, and their derivatives.
 #include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
@@ -22,8 +22,8 @@ double figure_of(const AdjustedNetwork& network, const AdjustedReading& reading,
     return place == AdjustedNetwork::known ? otherwise : state[place];
 }
 
-/// What a zenith angle's line of sight falls below the plane for each m² of distance: curvature of the Earth
-/// less that of the ray.
+/// Fall of a zenith angle's line of sight below the plane for each m² of distance, 1/m: half the curvature of
+/// the Earth less that of the ray.
 double fall(const AdjustedNetwork& network, const AdjustedReading& reading, const double* state) {
     if (network.curvature == 0.0 || reading.kind != ReadingKind::zenith_angle) return 0.0;
     return 0.5 * network.curvature *
@@ -46,7 +46,7 @@ Eigen::Matrix3d leaning_axes(const AdjustedNetwork& network, const AdjustedReadi
         .toRotationMatrix();
 }
 
-/// What the instrument sees in its axes, but for the orientation of its circle.
+/// Vector to the target in the axes of the instrument, m, but for the orientation of its circle.
 Eigen::Vector3d seen(const AdjustedNetwork& network, const AdjustedReading& reading, std::size_t to,
                      const double* state) {
     const Eigen::Vector3d v = between(network, reading, to, state);
@@ -152,7 +152,7 @@ void add_figures(const AdjustedNetwork& network, const AdjustedReading& reading,
                 terms.push_back({network.figure(f), v.norm() / v.head<2>().norm()});
                 break;
             case FigureKind::refraction:
-                break;  // of the leg
+                break;  // it belongs to the leg: `fall`
         }
     }
 }

@@ -87,7 +87,7 @@ private:
             // Near the end the sum only rounds; the datum's own part may raise it a little.
             if (!(sum <= before * (1.0 + 1e-9) + 1e-9) && length > 1e-3) continue;
             network_.state = moved;
-            constexpr double enough = 1e-9;  // of what a reading's u is
+            constexpr double enough = 1e-9;  // as a part of a reading's u
             const bool at_rounding = length < 1e-5 && length > 0.5 * last_;
             settled_ = part == 1.0 && (length < enough || at_rounding);
             last_ = length;
@@ -96,7 +96,7 @@ private:
         return false;
     }
 
-    /// What no reading determines stays where the points of the datum were said to be.
+    /// The state after `change`; what no reading determines stays where the points of the datum were stated.
     Eigen::VectorXd moved_by(const adjustment::Adjustment& adjusted, const Eigen::VectorXd& change) const {
         Eigen::VectorXd from_stated = change;
         for (std::size_t k = 0; k < network_.place_of.size(); ++k) {

@@ -103,7 +103,7 @@ bool is_of_one_point(ReadingKind kind) {
     return kind == ReadingKind::x || kind == ReadingKind::y || kind == ReadingKind::z;
 }
 
-/// What an instrument that leans reads by its own axes.
+/// Whether an instrument that leans reads it by its own axes.
 bool is_by_axes(ReadingKind kind) {
     return kind == ReadingKind::direction || kind == ReadingKind::angle || kind == ReadingKind::zenith_angle;
 }

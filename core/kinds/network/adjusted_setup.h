@@ -21,17 +21,17 @@ namespace covaria::network {
 
 /// Knowledge of a coordinate before anything is read.
 enum class CoordinateRole {
-    unknown,  ///< nothing: it follows from the readings
-    datum,    ///< nothing, and what no reading tells is taken from it and its like (free network)
-    fixed,    ///< it has no uncertainty
-    stated,   ///< its value with a standard uncertainty: one more reading
-    none,     ///< it is not part of the network: a height in a plane network
+    unknown,  ///< nothing is known: it follows from the readings
+    datum,    ///< nothing is known, and it shares what no reading tells with its like (free network)
+    fixed,    ///< a value without uncertainty
+    stated,   ///< a value with a standard uncertainty: one more reading
+    none,     ///< no such coordinate in the network: a height in a plane network
 };
 
 enum class ReadingKind {
     slope_distance,
     horizontal_distance,
-    direction,  ///< with the unknown orientation of its round
+    direction,  ///< includes the unknown orientation of its round
     angle,
     azimuth,
     zenith_angle,
@@ -50,22 +50,22 @@ enum class ReadingKind {
 };
 inline constexpr std::size_t reading_kinds = 18;
 bool is_of_angle(ReadingKind kind);
-/// Of points; false of what is stated of instruments.
+/// Whether it is read of points; false for what is stated of instruments.
 bool is_read(ReadingKind kind);
-/// Residuals are shown in it.
+/// Unit in which residuals are shown.
 Unit unit_of_residual(ReadingKind kind);
-/// It needs the heights of its points.
+/// Whether it needs the heights of its points.
 bool needs_heights(ReadingKind kind);
-/// It needs their places in the plane.
+/// Whether it needs the places of its points in the plane.
 bool needs_plane(ReadingKind kind);
 
 using evidence::UncertaintiesFrom;
 class SeenFiguresSource;  // core/kinds/network/seen_figures.h
 
-/// What an instrument does to all of its readings alike.
+/// Systematic effects of an instrument on all of its readings.
 enum class FigureKind {
     zero,         ///< added to distances
-    scale,        ///< of distances, beyond 1
+    scale,        ///< relative change of distances: their factor less 1
     refraction,   ///< coefficient k of zenith angles
     index,        ///< added to zenith angles
     collimation,  ///< across the line of sight: directions by it over the sine of the zenith angle
@@ -73,7 +73,7 @@ enum class FigureKind {
 
 enum class FigureKnowledge { unknown, stated, fixed };
 
-/// As typed, SI.
+/// The set-up as typed, SI.
 struct StatedAdjustment {
     struct Point {
         std::string name;
@@ -129,7 +129,7 @@ struct AdjustedPoint {
     std::string name;
     std::array<CoordinateRole, 3> role{};
     std::array<bool, 3> placed{};  ///< its coordinate was given
-    std::size_t row = 0;           ///< of the table of points
+    std::size_t row = 0;           ///< row in the table of points
     bool has(std::size_t axis) const { return role[axis] != CoordinateRole::none; }
     bool is_found(std::size_t axis) const { return has(axis) && role[axis] != CoordinateRole::fixed; }
 };
@@ -138,21 +138,21 @@ struct AdjustedReading {
     static constexpr std::size_t no_round = static_cast<std::size_t>(-1), no_tilt = no_round;
     ReadingKind kind = ReadingKind::slope_distance;
     std::size_t from = 0, to = 0, second = 0;  ///< points
-    std::size_t round = no_round;              ///< of a direction
-    std::size_t row = no_round;                ///< of the table of readings
-    std::size_t tilt = no_tilt;                ///< of an instrument that is not levelled
+    std::size_t round = no_round;              ///< round of a direction
+    std::size_t row = no_round;                ///< row in the table of readings
+    std::size_t tilt = no_tilt;                ///< number of the instrument, if it is not levelled
     double value = 0.0, u = 0.0;               ///< SI
     double height_from = 0.0, height_to = 0.0;
-    std::vector<std::size_t> figures = {};  ///< of the instrument, which change it
+    std::vector<std::size_t> figures = {};  ///< figures of the instrument that change it
     std::string label = {};
     std::string instrument = {};
     /// Readings gave the u, as one estimate with others: its number, and how well it is known.
     std::size_t estimate = no_round;
-    std::string seen_in = {}, seen_in_name = {};  ///< those of another analysis; empty: of this one
-    double factor = 1.0;                          ///< of the u that was stated
+    std::string seen_in = {}, seen_in_name = {};  ///< analysis whose readings gave it; empty: this one
+    double factor = 1.0;                          ///< ratio of u to the u that was stated
     double degrees_of_freedom = infinity;
     std::string source = {};  ///< place in the set-up
-    std::string symbol = {};  ///< of its input quantity
+    std::string symbol = {};  ///< symbol of its input quantity
 };
 
 /// Directions that were read without the circle being turned.
@@ -168,7 +168,7 @@ struct InstrumentFigure {
     bool is_found = true;
 };
 
-/// What is not adjusted, and why.
+/// A reading or point that is not adjusted, and why.
 struct LeftOut {
     Message what, why;
     std::string source = {};
@@ -185,7 +185,7 @@ struct ReadingCorrelation {
 struct AdjustedNetwork {
     static constexpr std::size_t known = static_cast<std::size_t>(-1);
     std::vector<AdjustedPoint> points;
-    std::vector<AdjustedReading> readings;  ///< those stated of coordinates last
+    std::vector<AdjustedReading> readings;  ///< from the table, then those stated of coordinates
     std::vector<Round> rounds;
     std::vector<std::size_t> leaning;  ///< points of instruments that are not levelled
     std::vector<InstrumentFigure> figures;
@@ -193,21 +193,21 @@ struct AdjustedNetwork {
     std::vector<std::array<std::size_t, 2>> distances;
     std::vector<LeftOut> left_out;
     std::vector<std::size_t> unplaced;  ///< points that the readings do not place
-    double curvature = 0.0;             ///< of the Earth, 1/m; 0: it does not count
-    double refraction = 0.0;            ///< where no figure says it
+    double curvature = 0.0;             ///< curvature of the Earth, 1/m; 0: it does not count
+    double refraction = 0.0;            ///< coefficient k where no figure says it
     bool clockwise = false;             ///< directions grow from y towards x, azimuths count from y
 
-    Eigen::VectorXd state;                ///< at the estimates; before them where the search begins
-    Eigen::VectorXd stated;               ///< as `state`, as typed: what the datum keeps
+    Eigen::VectorXd state;                ///< the estimates; before the adjustment the start of the search
+    Eigen::VectorXd stated;               ///< as typed, laid out like `state`: what the datum keeps
     std::vector<std::size_t> unknown_of;  ///< number of the unknown, or `known`
-    std::vector<std::size_t> place_of;    ///< of each unknown in the state
-    std::vector<std::size_t> datum;       ///< unknowns
+    std::vector<std::size_t> place_of;    ///< place of each unknown in the state
+    std::vector<std::size_t> datum;       ///< unknowns that define the datum
     std::vector<adjustment::CovarianceBlock> blocks;
     adjustment::SparseRows whitening;
-    std::shared_ptr<const adjustment::Adjustment> adjusted;  ///< at the estimates
-    adjustment::Reliability reliability;                     ///< there
-    std::shared_ptr<const adjustment::Adjustment> unsolved;  ///< what left something open
-    /// With the uncertainties that were stated, where others are in use; null: those in use were stated.
+    std::shared_ptr<const adjustment::Adjustment> adjusted;  ///< adjustment at the estimates
+    adjustment::Reliability reliability;                     ///< reliability at the estimates
+    std::shared_ptr<const adjustment::Adjustment> unsolved;  ///< adjustment that left something open
+    /// Evidence about the stated uncertainties where others are in use; null: those in use were stated.
     std::shared_ptr<const evidence::RedundantReadings> evidence;
 
     std::size_t at(std::size_t point, std::size_t axis) const { return 3 * point + axis; }
@@ -239,14 +239,14 @@ void find_start(AdjustedNetwork& network, Problems& problems);
 void adjust(AdjustedNetwork& network, Problems& problems);
 /// Huber's weights from where the search begins: `state` near the least sum of the readings that agree.
 void start_robustly(AdjustedNetwork& network);
-/// Checked, begun, adjusted. What the set-up lets go is left out, with its reason: readings that were left
-/// out by hand, that miss the beginning by too much, that contradict the others; points that nothing tells.
+/// A network that is checked, begun and adjusted. What the set-up lets go is left out, with its reason:
+/// readings left out by hand, too far from the beginning, against the others; points that nothing tells.
 std::optional<AdjustedNetwork> adjust_stated(StatedAdjustment stated, Problems& problems);
 /// Sentences for the names of targets that one station seems to have exchanged.
 std::vector<Message> exchanged_names(const AdjustedNetwork& adjusted);
 /// Readings whose errors the test cannot tell from one of this reading, by name; empty: none.
 Message alike_words(const AdjustedNetwork& network, std::size_t reading);
-/// How far the reading is from the state, in m: an angle at its target.
+/// Residual of the reading at the state, in m; of an angle as a displacement at its target.
 double offset_of(const AdjustedNetwork& network, const AdjustedReading& reading);
 /// A sentence, where the readings are fewer than what they are to tell with the figures of instruments.
 std::optional<Message> too_few_readings(const AdjustedNetwork& network);

@@ -1,4 +1,4 @@
-// Where the search of a network adjustment begins: points without coordinates are placed by the readings, in
+// The start of the search of a network adjustment: points without coordinates are placed by the readings, in
 // whatever order these stand; local frames are laid onto what is placed already.
 #include <algorithm>
 #include <cmath>
@@ -13,10 +13,10 @@ namespace {
 
 using Vector2 = Eigen::Vector2d;
 
-/// What stands in one frame.
+/// Points and rounds placed in one common frame.
 struct PlaneFrame {
     std::vector<std::optional<Vector2>> places;
-    std::vector<std::optional<double>> orientations;  ///< of rounds
+    std::vector<std::optional<double>> orientations;  ///< orientations of rounds, rad
 };
 
 struct Sighting {
@@ -44,8 +44,8 @@ bool intersect(PlaneFrame& frame, std::size_t p, const std::vector<Ray>& rays) {
     return frame.places[p].has_value();
 }
 
-/// What the readings say of the plane: directions in rounds (an angle is a round of two), azimuths in a round
-/// whose orientation is 0, horizontal distances, differences of coordinates.
+/// Readings in the plane: directions in rounds (an angle is a round of two), azimuths in a round whose
+/// orientation is 0, horizontal distances, differences of coordinates.
 class PlaneReadings {
 public:
     explicit PlaneReadings(const AdjustedNetwork& network)
@@ -181,7 +181,7 @@ private:
         Vector2 at = Vector2::Zero();
     };
 
-    /// Where it stands if its circle points to `orientation`: linear least squares.
+    /// Place of a station whose circle points to `orientation`, by linear least squares.
     Standing standing(const std::vector<Sighted>& targets, const std::vector<Ray>& rays,
                       double orientation) const {
         Eigen::Matrix2d N = Eigen::Matrix2d::Zero();
@@ -287,7 +287,8 @@ private:
     std::map<std::pair<std::size_t, std::size_t>, double> distances_;
 };
 
-/// Of the first ones the one with the least sum of differences, then the mean of those about it.
+/// A turn that most agree on: that of the first ones with the least sum of absolute differences, then the
+/// mean of all within 0.1 rad of it.
 double agreed(const std::vector<double>& turns) {
     constexpr std::size_t most_tried = 30;
     constexpr double about = 0.1;

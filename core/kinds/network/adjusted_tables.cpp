@@ -56,7 +56,7 @@ struct LargestEffect {
     std::size_t place = 0;
 };
 
-/// What the smallest detectable error of a reading does to a coordinate, at most.
+/// Largest change of a coordinate by the smallest detectable error of a reading (external reliability).
 LargestEffect largest_effect(const AdjustedNetwork& network, std::size_t reading, double error) {
     const Eigen::VectorXd effect =
         adjustment::effect_of(*network.adjusted, network.whitening, reading) * error;

@@ -1,4 +1,4 @@
-// What an adjustment leaves open, in words: whose height, whose place, which turn, the scale.
+// Words for what an adjustment leaves open: whose height, whose place, which turn, the scale.
 #include <Eigen/Geometry>
 #include <Eigen/QR>
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace covaria::network {
 
 namespace {
 
-constexpr double least_size = 1e-4;  ///< of a direction, of length one, that counts
+constexpr double least_size = 1e-4;  ///< least part that counts of a direction of length one
 
 /// Vectors of the span of `basis` (orthonormal columns) that are zero in all rows but these.
 Eigen::MatrixXd supported_on(const Eigen::MatrixXd& basis, const std::vector<std::size_t>& rows) {
@@ -68,7 +68,7 @@ std::vector<std::vector<std::size_t>> parts_of(const AdjustedNetwork& network) {
     return found;
 }
 
-/// Of instruments alone: zero and scale where all distances are as long.
+/// Figures of instruments that the readings cannot tell apart: zero and scale where all distances are equal.
 Message figures_apart(const AdjustedNetwork& network, const Eigen::VectorXd& move) {
     Message names;
     for (std::size_t f = 0; f < network.figures.size(); ++f) {
@@ -125,7 +125,7 @@ private:
         return found;
     }
 
-    /// What one point can do while all others stay, with the rounds that were read there.
+    /// Says how one point can move while all others stay, with the rounds that were read there.
     void say_point(std::size_t p) {
         std::vector<std::size_t> own = unknowns_of(p);
         if (own.empty()) return;
@@ -212,7 +212,7 @@ private:
 
     /// Turns of the orientations and tilts of what stands at p, where it turns with the part.
     void turn_instruments(std::size_t p, Eigen::MatrixXd& moves) const {
-        Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  // those of tilt about x, about y, of the circle
+        Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  // of the tilts about x and y, and of the circle
         for (std::size_t k = 0; k < network_.leaning.size(); ++k) {
             if (network_.leaning[k] != p) continue;
             const Eigen::AngleAxisd about_x(network_.state[static_cast<Eigen::Index>(network_.tilt(k, 0))],

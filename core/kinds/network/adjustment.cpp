@@ -9,8 +9,8 @@
 namespace covaria {
 
 Eigen::MatrixXd estimate_of_shared(const Eigen::MatrixXd& A) {
-    // By QR of (A; I), never by AᵀA: beside a figure of 10 m one of 10 um would be lost among roundings. Of
-    // A and Aᵀ the smaller decomposition is taken.
+    // QR of (A; I) solves it, never AᵀA: beside a figure of 10 m one of 10 um would be lost among roundings.
+    // The smaller of the decompositions of A and Aᵀ is taken.
     const bool by_deviations = A.cols() <= A.rows();
     const Eigen::Index rows = by_deviations ? A.rows() : A.cols(), n = by_deviations ? A.cols() : A.rows();
     Eigen::MatrixXd stacked(rows + n, n);
@@ -43,7 +43,7 @@ Eigen::VectorXd weighting_uncertainties(const Eigen::MatrixXd& to_points, const 
     constexpr double most_of_smallest = 1e3;
     const Eigen::VectorXd total = (u.cwiseAbs2() + shared.rowwise().squaredNorm()).cwiseSqrt();
     const Eigen::VectorXd per_metre = to_points.rowwise().norm();
-    // What is known without any uncertainty is compared with the others as a displacement.
+    // A reading without any uncertainty is compared with the others as a displacement.
     const double largest = total.cwiseQuotient(per_metre).maxCoeff();
     double smallest = std::numeric_limits<double>::infinity();
     for (Eigen::Index i = 0; i < u.size(); ++i)
@@ -63,7 +63,7 @@ Eigen::MatrixXd least_squares_gain(const Eigen::MatrixXd& to_points, const Eigen
     const Eigen::MatrixXd J = by_u.asDiagonal() * to_points;
     const Eigen::HouseholderQR<Eigen::MatrixXd> qr(J);
     const Eigen::MatrixXd Q = qr.householderQ() * Eigen::MatrixXd::Identity(J.rows(), J.cols());
-    // Of the points with the shared deviations known ...
+    // The gain is first that of the points with the shared deviations known ...
     Eigen::MatrixXd gain =
         qr.matrixQR().topRows(J.cols()).triangularView<Eigen::Upper>().solve(Eigen::MatrixXd(Q.transpose()));
     if (shared.cols() > 0) {

@@ -6,8 +6,8 @@
 
 namespace covaria {
 
-/// Whether readings with these derivatives (rows x 3, by the coordinates of a point) leave no direction of
-/// the point undetermined.
+/// Whether readings with these derivatives (rows x 3, by the coordinates of a point) determine the point in
+/// every direction.
 bool localises(const Eigen::MatrixXd& to_point);
 
 /// Standard uncertainties of readings as their weights need them: those stated. Only a reading whose own

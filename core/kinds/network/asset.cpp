@@ -17,7 +17,7 @@ namespace {
 using network::NetworkSetup;
 using network::Sensor;
 
-/// What each reading and each shared deviation does to the points of a network: the least-squares gain times
+/// Moves of the points of a network by each reading and each shared deviation: the least-squares gain times
 /// it.
 class Deviations {
 public:

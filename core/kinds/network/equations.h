@@ -150,7 +150,7 @@ Vector3<Real> start_of(const Target& target, const Place<Real>* places, const In
     return linear_estimate(target, places, x, true, rows);
 }
 
-/// One target by itself.
+/// Estimates one target by itself; false where the search does not settle.
 template <class Real, class In>
 mask_of<Real> estimate(const NetworkSetup& setup, const Target& target, const Place<Real>* places,
                        const In& x, Vector3<Real>& X) {
@@ -258,7 +258,7 @@ private:
         return Value(select(done, before, after));
     }
 
-    /// Square of how far.
+    /// Moves the targets by one step; returns the square of its length.
     Real move_targets(const mask_of<Real>& done, Vector3<Real>* X) {
         std::array<Real, 3 * most_joint_targets> descent;
         at_.transpose(part_, at_.weighted.data(), descent.data());
@@ -296,13 +296,13 @@ private:
     const In& x_;
     Linearised<Real> at_;
     std::array<Place<Real>, most_sensors> places_;
-    std::array<std::array<Real, 6>, most_sensors> moved_;  ///< from where they were drawn
+    std::array<std::array<Real, 6>, most_sensors> moved_;  ///< their change since they were drawn
     std::array<Real, most_joint_rows> raised_;
     std::array<Real, most_shared> shared_;
 };
 
-/// All targets of a set-up together, X[t] for target first + t: from the estimates on, which are near; where
-/// that does not settle soon, from the linear estimates.
+/// Estimates all targets of a set-up together, X[t] for target first + t: from the estimates on, which are
+/// near; where that does not settle soon, from the linear estimates.
 template <class Real, class In>
 mask_of<Real> estimate_jointly(const NetworkSetup& setup, const JointSetUp& joint, const Place<Real>* places,
                                const In& x, Vector3<Real>* X) {
@@ -400,9 +400,9 @@ mask_of<Real> some_targets(const NetworkSetup& setup, const JointSetUp& joint, s
     return valid;
 }
 
-/// All targets of a trial, then what derives from them. Inputs: six coordinates of every station for each
-/// set-up, then the readings target by target, then the calibrated lengths. Outputs: x, y, z of every target,
-/// distances, angles, frames, differences from the calibrated lengths.
+/// Computes all targets of a trial, then what derives from them. Inputs: six coordinates of every station for
+/// each set-up, readings target by target, calibrated lengths. Outputs: x, y, z of every target, distances,
+/// angles, frames, differences from the calibrated lengths.
 template <class Real, class In, class Out>
 mask_of<Real> all_targets(const NetworkSetup& setup, const In& x, Out& y) {
     std::array<Place<Real>, most_sensors> places;

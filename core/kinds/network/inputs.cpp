@@ -11,7 +11,7 @@ namespace covaria::network {
 
 namespace {
 
-/// As part of a symbol: letters and digits of the name, else the number.
+/// Part of a symbol that stands for a target or sensor: letters and digits of the name, else the number.
 std::string label_of(const std::string& name, std::size_t index) {
     std::string label;
     for (const char c : name)

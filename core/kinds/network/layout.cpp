@@ -1,4 +1,4 @@
-// Where sensors, targets and sight lines of "points from sensors" are.
+// Layout of sensors, targets and sight lines of "points from sensors" for the scene.
 #include "core/base/name.h"
 #include "core/kinds/network/setup.h"
 
@@ -6,7 +6,7 @@ namespace covaria::network {
 
 namespace {
 
-constexpr std::size_t most_sight_lines = 400;  ///< that can be told apart in one picture
+constexpr std::size_t most_sight_lines = 400;  ///< more could not be told apart in one picture
 
 }  // namespace
 

@@ -1,4 +1,4 @@
-// Where given readings find targets and stations: the least sum of squares of the readings and of what is
+// Places of targets and stations from given readings: the least sum of squares of the readings and of what is
 // stated of the stations, whatever the nominal coordinates are.
 #include <algorithm>
 #include <limits>
@@ -73,7 +73,7 @@ private:
                  "from the nominal coordinates; look for exchanged or mistyped readings">());
     }
 
-    /// What is wrong with the places of the last round is said.
+    /// Finds the weights at the present places; reports what is wrong with those.
     bool weigh() {
         found_ = {};
         find_weights(setup_, found_);
@@ -140,9 +140,9 @@ private:
     Problems found_;
 };
 
-/// Of targets that are far from where they were said to be: one mistyped reading, or two exchanged names.
+/// Warns of targets far from where they were said to be: one mistyped reading, or two exchanged names.
 void warn_of_far_nominals(const NetworkSetup& setup, Problems& problems) {
-    constexpr double least_share = 0.01;  // of the distance to the nearest station
+    constexpr double least_share = 0.01;  // as a part of the distance to the nearest station
     constexpr std::size_t most_single = 10;
     std::vector<std::size_t> far;
     for (std::size_t t = 0; t < setup.targets.size(); ++t) {

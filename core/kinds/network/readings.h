@@ -1,4 +1,4 @@
-// What a sensor reads of a target, for every number type: residuals of readings and their derivatives.
+// Readings of a target by a sensor, for every number type: their residuals and derivatives.
 #pragma once
 
 #include "core/kinds/network/setup.h"

@@ -19,7 +19,7 @@ struct Part {
     std::size_t count = 1;
     std::span<const std::size_t> bars = {};
     const double* inverse_normal = nullptr;  ///< (J₀ᵀWJ₀)⁻¹ at the estimates, by rows
-    const JointSetUp* joint = nullptr;       ///< of its weights; null: of the readings alone
+    const JointSetUp* joint = nullptr;       ///< holds its weights; null: those of the readings alone
     std::size_t first = 0;                   ///< number of the first target, where there are bars
 
     std::size_t unknowns() const { return 3 * count; }
@@ -28,12 +28,12 @@ struct Part {
 /// Readings and calibrated lengths at places X of the targets. No allocation: kept on the stack.
 template <class Real>
 struct Linearised {
-    std::array<Vector3<Real>, most_joint_rows> gradients;  ///< of a bar by its end `to`
+    std::array<Vector3<Real>, most_joint_rows> gradients;  ///< by its target; of a bar by its end `to`
     std::array<Real, most_joint_rows> residuals, weighted;
-    std::array<ReadAngles<Real>, most_joint_rows> angles;  ///< by sight
+    std::array<ReadAngles<Real>, most_joint_rows> angles;  ///< one for each sight
     std::size_t rows = 0;
 
-    /// What `take` needs of the readings, whatever the places are.
+    /// Reads what `take` needs of the readings, which is the same at all places.
     template <class In>
     void read(const Part& part, const In& x) {
         std::size_t number = 0;
@@ -79,7 +79,7 @@ struct Linearised {
         std::array<Real, most_shared> shared;
         weigh_together(part, from, to, shared.data());
     }
-    /// Likewise, of targets with weights of their own; sets the estimates of the deviations that they share.
+    /// Weighs targets that have weights of their own; sets the estimates of the deviations that they share.
     void weigh_together(const Part& part, const Real* from, Real* to, Real* shared) const {
         const std::vector<double>& by_u = part.joint->by_u;
         for (std::size_t i = 0; i < rows; ++i) to[i] = Real(by_u[i]) * from[i];
@@ -166,7 +166,7 @@ public:
         at_.read(part, x);
     }
 
-    /// From X on; false: no end was found.
+    /// Searches from X on; false: no end was found.
     bool run(Vector3<double>* X) {
         constexpr int most_descents = 200;
         double sum = sum_at(X);
@@ -174,7 +174,7 @@ public:
             at_.transpose(part_, at_.weighted.data(), gradient_.data());
             find_step();
             if (dot(step_, step_) < last_step * last_step) return true;
-            if (!shorten(X, sum)) return true;  // it cannot fall any more: rounding
+            if (!shorten(X, sum)) return true;  // the sum cannot fall any more: rounding
         }
         return false;
     }
@@ -265,7 +265,7 @@ bool descend(const Part& part, const Place<double>* places, const In& x, const V
     return descent.run(X);
 }
 
-/// One trial of several that are computed at once.
+/// The inputs of one trial of several that are computed at once.
 struct LaneInputs {
     const Inputs<Batch>& x;
     std::size_t lane;

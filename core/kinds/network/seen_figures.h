@@ -11,10 +11,10 @@
 
 namespace covaria::network {
 
-/// What residuals say of readings of one kind by one instrument.
+/// Evidence of residuals about the readings of one kind by one instrument.
 struct SeenFigureOfReadings {
-    double factor = 1.0;      ///< of the u that was stated there
-    std::optional<double> u;  ///< where all of them have one, SI
+    double factor = 1.0;      ///< ratio to the u that was stated there
+    std::optional<double> u;  ///< their u where all of them have the same, SI
     double degrees_of_freedom = infinity;
     std::size_t estimate = 0;  ///< its number in that analysis
 };

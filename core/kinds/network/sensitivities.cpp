@@ -106,7 +106,7 @@ private:
         }
     };
 
-    /// What a sight of target t does to g, its readings being the rows from `row` on; the row behind them.
+    /// Adds the effect on g of a sight of target t, whose readings are the rows from `row` on; the row after.
     std::size_t add(const Sight& sight, std::size_t t, std::size_t row) {
         const std::size_t station = setup_.station_input(set_up_, sight.sensor);
         const Inputs<Dual> by_station(x_.data(), station);
@@ -195,7 +195,7 @@ private:
                     }
     }
 
-    /// What a calibrated length does: r = x − |X_to − X_from|.
+    /// Adds the part of a calibrated length: r = x − |X_to − X_from|.
     void add(const ScaleBar& bar, std::size_t row) {
         const auto to = Eigen::Index(3 * (bar.to - part_.first)),
                    from = Eigen::Index(3 * (bar.from - part_.first));
@@ -230,10 +230,10 @@ private:
     Linearised<double> at_;
     Eigen::MatrixXd gradients_, weighted_gradients_;  ///< J and W J, readings x unknowns
     Eigen::MatrixXd by_point_;                        ///< ∂g/∂X
-    Eigen::MatrixXd by_station_;                      ///< by the six coordinates of each station
-    Eigen::MatrixXd bent_by_station_;                 ///< of that what the change of J makes
-    Eigen::MatrixXd by_reading_;                      ///< by each reading and calibrated length
-    std::vector<std::size_t> inputs_;                 ///< of each of those
+    Eigen::MatrixXd by_station_;                      ///< ∂g by the six coordinates of each station
+    Eigen::MatrixXd bent_by_station_;                 ///< part of `by_station_` from the change of J
+    Eigen::MatrixXd by_reading_;                      ///< ∂g by each reading and calibrated length
+    std::vector<std::size_t> inputs_;                 ///< input quantity of each reading
 };
 
 class RowMaker {
@@ -304,7 +304,7 @@ private:
             ranges.push_back({input, 1});
     }
 
-    /// By the chain rule, from the coordinates.
+    /// Adds the rows of distances, angles, frames and bars, by the chain rule from those of the coordinates.
     bool add_derived() {
         std::size_t out = 3 * setup_.targets.size();
         for (const Distance& d : setup_.distances) out = add(d, {d.from, d.to}, out);

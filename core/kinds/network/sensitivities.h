@@ -7,7 +7,7 @@
 
 namespace covaria::network {
 
-/// As MeasurementModel::sensitivities.
+/// The rows of MeasurementModel::sensitivities for a network.
 bool network_sensitivities(const NetworkSetup& setup, std::span<const double> x, SensitivityRows& rows);
 
 }  // namespace covaria::network

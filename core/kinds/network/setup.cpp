@@ -25,7 +25,7 @@ std::string place(std::vector<Row> Stated::*table, std::size_t row) {
     return network_fields().place(table, row);
 }
 
-/// Where sensors (by id) and targets (by name) are in the network.
+/// Indices of the sensors (by id) and of the targets (by name) in the network.
 struct Names {
     std::map<std::string, std::size_t> sensors, targets;
 
@@ -83,7 +83,7 @@ private:
         return false;
     }
 
-    /// One by one, or in large networks by sensor.
+    /// Warns of sensors that see nothing of a target, one by one, or in large networks by sensor.
     void warn_of_unseen() {
         constexpr std::size_t most_single = 30;
         std::map<std::size_t, std::size_t> counts;
@@ -131,7 +131,7 @@ private:
         }
     }
 
-    /// Where a target is searched from: the place nearest to the lines and planes in which its angles were
+    /// Start of the search for a target: the place nearest to the lines and planes in which its angles were
     /// read, unless the nominal coordinates explain its readings better.
     Eigen::Vector3d start_of(const Target& target) const {
         Eigen::Matrix3d N = Eigen::Matrix3d::Zero();

@@ -24,7 +24,7 @@ struct Precision {
     Matrix shared;          ///< A F: 3 targets x m
 };
 
-/// What multiplies the residuals in the estimate.
+/// Matrix that multiplies the residuals in the estimate, unknowns x readings.
 Matrix gain_of(const NetworkSetup& setup, const JointSetUp& joint, const Sensitivities& s) {
     if (joint.together()) return least_squares_gain(s.to_point, s.u, s.shared);
     Matrix weights = s.u.cwiseAbs2().cwiseInverse().asDiagonal();
@@ -49,8 +49,8 @@ Precision precision_of(const NetworkSetup& setup, const JointSetUp& joint) {
     return {(whitened.transpose() * whitened).inverse(), A * s.u.asDiagonal(), A * s.shared};
 }
 
-/// What is linearised at once: targets that are estimated together, else, where there are more than
-/// `most_rows` readings, one by one; of thousands all in one matrix would be gigabytes.
+/// Targets that are linearised at once: those estimated together, else, where there are more than
+/// `most_rows` readings, one by one; one matrix of thousands would take gigabytes.
 std::vector<JointSetUp> divided(const NetworkSetup& setup, std::size_t most_rows) {
     std::vector<JointSetUp> parts;
     for (const JointSetUp& joint : setup.set_ups) {
@@ -191,7 +191,7 @@ private:
 
     void add(const JointSetUp& joint) {
         const Sensitivities s = sensitivities_of(setup_, joint);
-        // In units of the readings alone: their covariance is I + AAᵀ there, and W its inverse.
+        // Units of the readings alone are used: their covariance is I + AAᵀ there, and W its inverse.
         const Eigen::VectorXd by_u = s.u.cwiseInverse();
         const Matrix J = by_u.asDiagonal() * s.to_point, A = by_u.asDiagonal() * s.shared;
         const Matrix W = Matrix::Identity(J.rows(), J.rows()) - A * estimate_of_shared(A);

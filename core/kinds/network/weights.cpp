@@ -162,7 +162,7 @@ void keep_shared(const Eigen::MatrixXd& A, const Eigen::MatrixXd& S, JointSetUp&
     }
 }
 
-/// Of no deviation that is without uncertainty, as `uncertain_columns`.
+/// Moves of the stations by all shared deviations with an uncertainty, those that `uncertain_columns` keeps.
 std::vector<SharedMove> moves_of(const NetworkSetup& setup, const Eigen::MatrixXd& shared) {
     std::vector<SharedMove> moves;
     Eigen::Index column = 0;
@@ -180,8 +180,8 @@ std::vector<SharedMove> moves_of(const NetworkSetup& setup, const Eigen::MatrixX
     return moves;
 }
 
-/// Whether what is stated of the stations leaves so much open that the second-order part of what they do to a
-/// reading is as large as its own uncertainty, as displacements. Where it is a quarter of that, u changes by
+/// Whether the stations are stated so loosely that the second-order part of their effect on a reading is as
+/// large as the reading's own uncertainty, as displacements. At a quarter of that, u changes by
 /// a ten-millionth (lsm-network).
 bool stations_are_open(const NetworkSetup& setup, const JointSetUp& joint, const Sensitivities& all) {
     const double own = all.u.cwiseQuotient(all.to_point.rowwise().norm()).minCoeff();
@@ -239,7 +239,8 @@ Eigen::MatrixXd weights_of(const Eigen::VectorXd& u, const Eigen::MatrixXd& F) {
     return by_u.asDiagonal() * left * by_u.asDiagonal();
 }
 
-/// Of one target. What two sensors share would be no property of either: C falls into blocks.
+/// Weights of one target by itself. C falls into blocks, as two sensors share nothing that would be a
+/// property of either.
 void add_blocks(const NetworkSetup& setup, JointSetUp& joint) {
     joint.blocks.clear();
     joint.inverse_normal.clear();

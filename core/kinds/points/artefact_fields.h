@@ -22,11 +22,11 @@ void add_evaluation(Fields<S>& fields, const std::string& paper_table) {
                 true);
 }
 
-/// What is known of an artefact that was measured repeatedly.
+/// Knowledge of an artefact that was measured repeatedly.
 struct MeasuredArtefact {
     double u_calibration = 0.0;
     double expansion = 0.0;
-    bool corrected = false;  ///< to 20 °C
+    bool corrected = false;  ///< lengths are corrected to 20 °C
     double deviation = 0.0;  ///< Delta T of Eqs 3 and 6: a half-width
     double temperature = 0.0;
 

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::array<const char*, 3> coordinates{"x", "y", "z"};
 
-/// Which coordinates define the frame: their errors say nothing.
+/// Coordinates left out of the errors since they define the frame.
 enum class Excluded { three_two_one, by_point, none };
 
 struct CalibratedPoint {
@@ -227,7 +227,7 @@ private:
 
     const StatedArtefact& stated_;
     Problems& problems_;
-    std::vector<std::array<bool, 3>> defines_;  ///< of each point
+    std::vector<std::array<bool, 3>> defines_;  ///< coordinates of each point that define the frame
 };
 
 class ArtefactPoints : public Asset {

@@ -14,9 +14,9 @@
 
 namespace covaria {
 
-/// What states the standard uncertainty of a component.
+/// A figure that states the standard uncertainty of a component.
 struct FigureOfComponent {
-    std::string key;  ///< of the figure: its components have the same; figures stand in the order of theirs
+    std::string key;  ///< key of the figure: its components have the same; figures stand in their order
     Message name;
     Unit unit;
     std::string source = {};  ///< place in the set-up
@@ -49,7 +49,7 @@ public:
     };
     struct Row {
         Message name;
-        Eigen::VectorXd design;  ///< by the unknowns of the fit
+        Eigen::VectorXd design;  ///< derivatives by the unknowns of the fit
         double residual = 0.0;   ///< up to what the unknowns take up; all rows have one weight
         std::vector<Part> parts;
     };

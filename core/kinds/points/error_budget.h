@@ -19,7 +19,7 @@ enum class BiasTreatment {
     corrected,  ///< measured values are corrected by -b; u_var/sqrt(n) of the correction remains
 };
 
-/// One line of Table 1 or 2. Lengths in m.
+/// The budget of one coordinate: one line of Table 1 or 2. Lengths in m.
 struct ErrorBudget {
     std::string coordinate;  ///< "x", "y", "z" or "L"
     double u_calibration = 0.0;
@@ -42,7 +42,7 @@ Result<ErrorBudget> budget_of_errors(const std::string& coordinate, const std::v
 /// Eqs 3 and 6: L alpha dT / sqrt 3 (a rectangular distribution of half-width L alpha dT).
 double temperature_uncertainty(double length, double expansion, double temperature_deviation);
 
-/// How the budget of a coordinate becomes deviations of a measured point.
+/// Rule by which the budget of a coordinate becomes deviations of a measured point.
 struct DeviationRule {
     BiasTreatment bias = BiasTreatment::as_uncertainty;
     bool systematic_common = false;  ///< calibration, temperature and bias are the same for all points

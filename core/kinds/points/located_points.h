@@ -11,21 +11,21 @@
 
 namespace covaria {
 
-/// How points are located: a standard uncertainty of every coordinate, or an instrument of the project.
+/// Locator of points: a typed standard uncertainty of every coordinate, or an instrument of the project.
 struct PointLocator {
     bool typed = true;
     double u_point = 0.0;      ///< m
     std::string distribution;  ///< shape of a deviation with u_point
     Offered<PointUncertaintySource> instrument;
 };
-/// In the section "Points".
+/// Fields of the locator, in the section "Points".
 const Fields<PointLocator>& locator_fields();
 
 struct LocatedPoint {
     Eigen::Vector3d p = Eigen::Vector3d::Zero();
     std::string label;        ///< "3,17": part of the symbols
     std::size_t x_input = 0;  ///< index of x; y and z follow
-    std::string name = {};    ///< by which an analysis that measured it knows it; empty: as its label
+    std::string name = {};    ///< its name in the analysis that measured it; empty: as its label
 };
 
 /// Gives the coordinates of points, measured from one set-up, their components.

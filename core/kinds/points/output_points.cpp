@@ -14,7 +14,7 @@ constexpr std::array<const char*, 3> axis_symbols{"x", "y", "z"};
 
 OutputPoints::OutputPoints(std::string analysis, const std::vector<OutputQuantity>& outputs)
     : analysis_(std::move(analysis)) {
-    offer(static_cast<const PointUncertaintySource&>(*this));  // and by its type what else this is
+    offer(static_cast<const PointUncertaintySource&>(*this));  // its dynamic type may offer more
     const auto has = [&](const std::string& group, const char* axis) {
         return std::any_of(outputs.begin(), outputs.end(), [&](const OutputQuantity& output) {
             return output.group == group && output.symbol == axis &&

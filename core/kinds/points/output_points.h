@@ -12,8 +12,8 @@
 
 namespace covaria {
 
-/// Every group of outputs with lengths x, y and z is a point of that name. Its deviations are those of the
-/// outputs, so none are stated beside them.
+/// The measured points of an analysis: every group of outputs with lengths x, y and z is one of that name.
+/// Its deviations are those of the outputs, so none are stated beside them.
 class OutputPoints : public Asset, public PointUncertaintySource, public PointOutputSource {
 public:
     OutputPoints(std::string analysis, const std::vector<OutputQuantity>& outputs);

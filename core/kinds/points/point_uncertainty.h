@@ -29,13 +29,13 @@ struct JointDeviation {
     std::string id;
     Message name;
     UncertaintyComponent component;
-    std::optional<std::size_t> point = {};  ///< whose reading it is; empty: of the whole set-up
+    std::optional<std::size_t> point = {};  ///< point whose reading it is; empty: all of the set-up
     std::string owner = {};  ///< id of the asset whose deviation it is; empty: the asset that is asked
     std::vector<Eigen::Vector3d> directions;  ///< per unit of the component, one for each point
     std::string estimate = {};                ///< see PointDeviation
 };
 
-/// What an asset says about the uncertainty of a measured point's coordinates.
+/// Source that states the uncertainty of a measured point's coordinates.
 class PointUncertaintySource : public Capability {
 public:
     static constexpr const char* capability = "point-uncertainty";
@@ -50,7 +50,7 @@ public:
     /// Deviations of points measured together, from one set-up. Default: each point by itself, `common` ones
     /// shared by all.
     virtual std::vector<JointDeviation> joint_deviations(const std::vector<Eigen::Vector3d>& points) const;
-    /// Where the instruments stand that measure a point at p, for its sight lines.
+    /// Places of the instruments that measure a point at p, for its sight lines.
     virtual std::vector<Eigen::Vector3d> stations_seeing(const Eigen::Vector3d&) const { return {}; }
     /// Why a point at p cannot be measured so; empty if it can.
     virtual Message objection(const Eigen::Vector3d&) const { return {}; }

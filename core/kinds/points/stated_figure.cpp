@@ -1,4 +1,4 @@
-// What a figure from a data sheet means, as a distribution (JCGM 100 4.3).
+// Distribution that a figure from a data sheet stands for (JCGM 100 4.3).
 #include "core/kinds/points/stated_figure.h"
 
 #include <cmath>

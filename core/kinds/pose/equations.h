@@ -54,8 +54,8 @@ Frame<Real> frame(const FrameRule& rule, const In& x, std::size_t first) {
     return rule.least_squares ? frame_least_squares<Real>(rule, x, first) : frame_3_2_1<Real>(rule, x, first);
 }
 
-/// All poses of a trial; they share the base frame. Inputs b_1x, b_1y, b_1z, b_2x ..., then the moving points
-/// of each pose; outputs x, y, z and the coordinates of the orientation for each pose.
+/// Computes all poses of a trial; they share the base frame. Inputs b_1x, b_1y, b_1z, b_2x ..., then the
+/// moving points of each pose; outputs x, y, z and the coordinates of the orientation for each pose.
 template <class Real, class In, class Out>
 mask_of<Real> all_poses(const PoseSetup& setup, const In& x, Out& y) {
     const std::size_t angles = rotation_convention(setup.orientation).coordinates.size();

@@ -1,4 +1,4 @@
-// What the residuals of least-squares frames say about the uncertainties that were stated of their points.
+// Evidence of the residuals of least-squares frames about the uncertainties that were stated of their points.
 #include "core/kinds/pose/evidence.h"
 
 #include "core/kinds/pose/equations.h"
@@ -76,7 +76,7 @@ ComponentEvidence evidence_of(const PoseSetup& setup, const InputSet& inputs,
     for (std::size_t number = 0; number < fits.size(); ++number) {
         const FittedFrame frame = frame_number(setup, number);
         const std::size_t coordinates = 3 * frame.points.size();
-        // Where a direction has no stated uncertainty the covariance cannot be weighed.
+        // A direction without stated uncertainty leaves a covariance that cannot be weighed: no evidence.
         if (fits[number].degrees_of_freedom != static_cast<int>(coordinates) - 6) continue;
         if (coordinates <= 6) continue;
         stacked.add(rows_of(frame, fits[number]));

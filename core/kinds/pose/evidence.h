@@ -6,8 +6,8 @@
 
 namespace covaria::pose {
 
-/// Of all sets that are tested; `fits`: of these inputs. A figure is what is typed for one axis of the points
-/// of a frame, or one kind of reading of the instrument that measured them.
+/// Evidence of all sets that are tested; `fits`: of these inputs. A figure is what is typed for one axis of
+/// the points of a frame, or one kind of reading of the instrument that measured them.
 ComponentEvidence evidence_of(const PoseSetup& setup, const InputSet& inputs,
                               const std::vector<FrameFit>& fits);
 

@@ -19,10 +19,10 @@ struct MeasuredPoint {
     const FrameRule* rule;
     const UncertaintyRule* uncertainty;
     Side side;
-    std::size_t index;  ///< in its frame
+    std::size_t index;  ///< number of the point in its frame
     std::size_t pose;   ///< counts from 1; 0 is the base
     Eigen::Vector3d p_0;
-    Eigen::Matrix3d axes;  ///< of its uncertainties: the frame that it is a point of, or the base
+    Eigen::Matrix3d axes;  ///< axes of its uncertainties: those of its own frame, or of the base
 
     const NominalPoint& nominal() const { return rule->points[index]; }
     std::string letter() const { return letter_of(side) + "_" + std::to_string(index + 1); }
@@ -32,7 +32,7 @@ struct MeasuredPoint {
 
 using Shares = std::array<std::vector<Share>, 3>;
 
-/// Of the analysis that measured the point; empty: an instrument or a typed figure did.
+/// Output of the analysis that measured the point; empty: an instrument or a typed figure did.
 std::optional<OutputReference> output_of(const UncertaintyRule& rule, const std::string& point,
                                          std::size_t axis) {
     const auto* source = offers<PointOutputSource>(rule.source.asset);
@@ -100,7 +100,7 @@ private:
         return frame_fields(point.side).place(&FrameRule::points, point.index);
     }
 
-    /// All points that the source measures, together, when the first of them is reached.
+    /// Adds all points that the source measures, together, when the first of them is reached.
     void add_source(const Offered<PointUncertaintySource>& source) {
         if (!added_.insert(source.source).second) return;
         std::vector<std::size_t> measured;
@@ -147,7 +147,7 @@ private:
         }
     }
 
-    /// What rounding leaves off the axes of a turned frame is no share.
+    /// Adds the shares of a component along a direction; rounding off the axes of a turned frame is no share.
     void add_shares(std::size_t point, std::size_t component, const Eigen::Vector3d& direction) {
         for (int c = 0; c < 3; ++c)
             if (std::abs(direction[c]) > 1e-14 * direction.norm())

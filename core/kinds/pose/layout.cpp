@@ -1,4 +1,4 @@
-// Where frames, points and plates of "pose from points" are.
+// Layout of the frames, points and plates of "pose from points".
 #include "core/kinds/pose/layout.h"
 
 #include <algorithm>

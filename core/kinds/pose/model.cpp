@@ -53,7 +53,7 @@ private:
     pose::PoseSetup setup_;
     InputSet inputs_;
     std::vector<pose::FrameFit> fits_;
-    std::shared_ptr<const evidence::RedundantReadings> evidence_;  ///< with what was stated
+    std::shared_ptr<const evidence::RedundantReadings> evidence_;  ///< evidence about what was stated
     std::vector<OutputQuantity> outputs_;
 };
 
@@ -70,7 +70,7 @@ std::unique_ptr<MeasurementModel> create_pose_model(const SetupReader& setup, co
     if (read->a_posteriori && read->uncertainties != evidence::UncertaintiesFrom::stated) {
         take_as_seen(inputs, evidence, read->uncertainties,
                      pose::pose_fields().place(&pose::PoseSetup::uncertainties), problems);
-        // What exchanged names explain is no scatter, and stays a warning.
+        // A misfit that exchanged names explain is no scatter, and stays a warning.
         std::erase_if(fits, [](const pose::FrameFit& fit) { return !fit.explanation; });
         pose::warn_of_misfits(fits, problems, false);
         fits = pose::frame_fits(*read, inputs);

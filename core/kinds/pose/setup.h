@@ -16,20 +16,20 @@
 
 namespace covaria::pose {
 
-/// Whose points: the base's or the moving frame's. Keys of the set-up begin with it ("base_points").
+/// The frame of a point: the base or the moving one. Keys of the set-up begin with it ("base_points").
 enum class Side { base, moving };
 std::string prefix_of(Side side);
 std::string letter_of(Side side);  ///< "b", "p": symbols of the paper
 
 struct NominalPoint {
     std::string name;
-    Eigen::Vector3d local = Eigen::Vector3d::Zero();  ///< in its own frame
+    Eigen::Vector3d local = Eigen::Vector3d::Zero();  ///< coordinates in its own frame
     std::array<std::optional<double>, 3> u = {};      ///< typed standard uncertainties of this point
 };
 
-/// How a frame is made from its points.
+/// Rule by which a frame is made from its points.
 struct FrameRule {
-    std::vector<NominalPoint> points;  ///< those the frame depends on
+    std::vector<NominalPoint> points;  ///< the points that the frame depends on
     bool least_squares = false;
     ThirdPoint third_point = ThirdPoint::positive_y;
     Eigen::Vector3d shift = Eigen::Vector3d::Zero();  ///< s_b, s_p of Eqs 17, 18
@@ -39,14 +39,14 @@ struct FrameRule {
 };
 const Fields<FrameRule>& frame_fields(Side side);
 
-/// Where the standard uncertainties of a frame's points come from.
+/// Source of the standard uncertainties of a frame's points.
 struct UncertaintyRule {
     bool typed = true;
     std::array<double, 3> u{};
     std::array<bool, 3> common{};
     bool along_base = false;        ///< typed ones of the moving points lie along the axes of the base frame
     std::string distribution = {};  ///< shape of typed deviations
-    Offered<PointUncertaintySource> source = {};  ///< of those that are not typed
+    Offered<PointUncertaintySource> source = {};  ///< measures the points without typed figures
     bool is_world() const { return source->axes() == PointUncertaintySource::Axes::world; }
 };
 const Fields<UncertaintyRule>& uncertainty_fields(Side side);
@@ -55,7 +55,7 @@ struct Pose {
     std::string name;
     Eigen::Vector3d position = Eigen::Vector3d::Zero();      ///< nominal
     Eigen::Vector3d angles = Eigen::Vector3d::Zero();        ///< alpha, beta, gamma; nominal
-    Eigen::Isometry3d X_bp = Eigen::Isometry3d::Identity();  ///< of both
+    Eigen::Isometry3d X_bp = Eigen::Isometry3d::Identity();  ///< pose from position and angles
     std::vector<Eigen::Vector3d> points = {};                ///< estimates of p_i in frame 0
 };
 

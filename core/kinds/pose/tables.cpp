@@ -89,7 +89,7 @@ private:
         return q;
     }
 
-    /// What the six parameters of the frame can take up of the coordinates.
+    /// Changes of the coordinates by the six parameters of the frame, which take them up.
     Eigen::MatrixXd design() const {
         Eigen::MatrixXd A(3 * points_.size(), 6);
         for (std::size_t i = 0; i < points_.size(); ++i)

@@ -1,4 +1,4 @@
-// How well measured points fit the nominal coordinates of a least-squares frame: residuals, redundancy,
+// Fit of measured points to the nominal coordinates of a least-squares frame: residuals, redundancy,
 // tests.
 #pragma once
 
@@ -16,13 +16,13 @@ struct FrameFit {
     std::string set;
     std::vector<std::string> names;
     std::vector<Eigen::Vector3d> residual;    ///< measured less nominal, m
-    std::vector<Eigen::Vector3d> u_residual;  ///< of the residuals by the stated uncertainties; 0: not tested
+    std::vector<Eigen::Vector3d> u_residual;  ///< u of the residuals as stated; 0: not tested
     std::vector<Eigen::Vector3d> redundancy;  ///< share of an error of the coordinate that stays visible
     double rms = 0.0;                         ///< root mean square of the distances, m
     double chi_square = 0.0;
     int degrees_of_freedom = 0;  ///< 0: nothing to test (no stated uncertainty, or too many points)
 
-    /// What else would make the points fit, where that leaves a third of the residuals or less.
+    /// Another reason that would make the points fit, where it leaves a third of the residuals or less.
     struct Explanation {
         double rms = 0.0;
         std::optional<std::pair<std::size_t, std::size_t>> exchanged;  ///< empty: frame 0 mirrored
@@ -33,7 +33,7 @@ struct FrameFit {
     double normalised(std::size_t point, int axis) const;
 };
 
-/// Of every least-squares frame of an evaluation of measured points; none a priori.
+/// The fits of every least-squares frame of an evaluation of measured points; none a priori.
 std::vector<FrameFit> frame_fits(const PoseSetup& setup, const InputSet& inputs);
 
 /// The fits, and their residuals point by point.

@@ -20,7 +20,7 @@ struct RobotData {
     Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity(), X_FT = Eigen::Isometry3d::Identity();
     std::vector<ParameterDeviation> deviations;
     std::vector<DeviationCorrelation> correlations;
-    std::vector<double> u_encoder, u_repeatability;  ///< of each joint, rad or m
+    std::vector<double> u_encoder, u_repeatability;  ///< one for each joint, rad or m
     double u_tool_position = 0.0, u_tool_angle = 0.0;
     std::vector<ParameterOutput> outputs = {};
 };
@@ -45,7 +45,7 @@ private:
 class RobotAsset : public Asset {
 public:
     explicit RobotAsset(RobotData data) : source_(std::move(data)) { offer(source_); }
-    /// Its parameters.
+    /// The table of its parameters.
     std::vector<Table> evaluation() const override;
     /// The arm at the zero readings.
     Layout layout() const override;

@@ -19,7 +19,7 @@ Eigen::Isometry3d along_x(double angle, double length) {
     return X;
 }
 
-/// What stands before and behind the movement of a joint.
+/// Transforms before and behind the movement of a joint.
 struct AroundMovement {
     Eigen::Isometry3d before, behind;
 };

@@ -14,10 +14,10 @@ namespace covaria {
 
 /// A joint that turns about, or slides along, the z-axis of its frame by its reading, in rad or m.
 struct ArmFrame {
-    /// At a reading of zero, in the frame of the joint before it; of the first, in that of the base.
+    /// Joint at a reading of zero, in the frame of the joint before it, the first in that of the base.
     Eigen::Isometry3d X_PJ = Eigen::Isometry3d::Identity();
     bool slides = false;
-    double low = -std::numeric_limits<double>::infinity();  ///< of the reading
+    double low = -std::numeric_limits<double>::infinity();  ///< limits of the reading
     double high = std::numeric_limits<double>::infinity();
 };
 
@@ -26,7 +26,7 @@ struct ArmParameter {
     std::string symbol;                          ///< "theta_3"
     bool length = false;                         ///< m, else rad
     double value = 0.0, u = 0.0;                 ///< SI; u of what the robot itself states
-    std::optional<OutputReference> output = {};  ///< of the analysis that found it, which knows its u
+    std::optional<OutputReference> output = {};  ///< output of the analysis that found it, which knows its u
 };
 
 struct ArmFrames {

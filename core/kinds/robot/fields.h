@@ -14,7 +14,7 @@ namespace covaria {
 /// More joints than any arm in the library has.
 inline constexpr std::size_t most_joints = 7;
 
-/// By JointParameter; empty where none is given.
+/// Figures by JointParameter; empty where none is given.
 using StatedParameters = std::array<std::optional<double>, joint_parameters.size()>;
 inline std::size_t index_of(JointParameter parameter) {
     return static_cast<std::size_t>(parameter);
@@ -25,7 +25,7 @@ struct StatedJoint {
     enum Figure { zero, low, high, u_encoder, u_repeatability };
     using Figures = std::array<std::optional<double>, 5>;
     StatedParameters values;
-    Figures turning, sliding;  ///< of the readings: angles of a joint that turns, lengths of one that slides
+    Figures turning, sliding;  ///< of readings: angles of a joint that turns, lengths of one that slides
     bool against = false;      ///< the joint angle falls with the reading
     bool slides = false;
     Figures StatedJoint::*own() const { return slides ? &StatedJoint::sliding : &StatedJoint::turning; }
@@ -34,7 +34,7 @@ struct StatedJoint {
 /// A row of the components of uncertainty.
 struct StatedUncertainty {
     std::string source;
-    std::optional<std::size_t> joint;  ///< from 1; empty: all
+    std::optional<std::size_t> joint;  ///< number of the joint from 1; empty: all
     StatedParameters u;
     std::optional<double> degrees_of_freedom;
     std::string distribution;
@@ -57,7 +57,7 @@ struct StatedRobot {
 };
 const Fields<StatedRobot>& robot_fields();
 
-/// Of a pose: a reading of each joint that turns, or slides. Empty where none is given.
+/// Readings of a pose, one for each joint, which turns or slides. Empty where none is given.
 using StatedReadings = std::array<std::optional<double>, most_joints>;
 /// Columns q_1, q_2 ... with that letter; `help` goes on after "Reading of joint 1".
 std::array<ColumnSpec, most_joints> reading_columns(const std::string& letter, const Unit& unit,

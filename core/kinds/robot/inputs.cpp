@@ -129,7 +129,7 @@ private:
     PoseSetup& setup_;
     const SerialRobotSource& robot_;
     InputSet inputs_;
-    std::vector<std::size_t> component_of_;  ///< of each deviation
+    std::vector<std::size_t> component_of_;  ///< component of each deviation
 };
 
 }  // namespace

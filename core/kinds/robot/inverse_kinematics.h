@@ -15,7 +15,7 @@ struct Target {
 
 struct InverseSolution {
     std::vector<double> q;  ///< readings; empty: nothing found
-    double distance = 0.0;  ///< by which the nearest attempt misses the position, m
+    double distance = 0.0;  ///< least distance of an attempt from the position, m
 };
 
 /// Readings within the limits at which the tool is at the target (base frame), the solution nearest to

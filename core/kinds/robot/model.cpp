@@ -144,7 +144,7 @@ private:
         for (std::size_t c = 0; c + 3 < setup_.outputs_per_pose(); ++c) y.set(out + 3 + c, angles[c]);
     }
 
-    /// From the zero reading to the reading of the pose.
+    /// Travel of a joint from the zero reading to the reading of the pose.
     template <class Real>
     Real travel_of(std::size_t k, std::size_t i, const Inputs<Real>& x) const {
         const RobotJoint& joint = setup_.robot().joints()[i];

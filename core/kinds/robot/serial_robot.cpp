@@ -60,7 +60,7 @@ namespace {
 
 struct Combined {
     std::map<std::string, double> by_source;
-    double squares = 0.0, welch = 0.0;  // of u, and of u^4 over the degrees of freedom
+    double squares = 0.0, welch = 0.0;  // sums of u^2, and of u^4 over the degrees of freedom
 };
 
 Combined combined(const SerialRobotSource& robot, std::size_t joint, JointParameter parameter) {

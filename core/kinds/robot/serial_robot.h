@@ -40,7 +40,7 @@ struct RobotJoint {
     Unit reading_unit() const { return Unit::of(slides ? "mm" : "deg"); }
 };
 
-/// One component of the uncertainty of one parameter.
+/// A component of the uncertainty of one parameter.
 struct ParameterDeviation {
     std::size_t joint = 0;
     JointParameter parameter = JointParameter::theta;
@@ -59,11 +59,11 @@ public:
     static constexpr const char* lacking = "is no serial robot";
     virtual DhConvention convention() const = 0;
     virtual const std::vector<RobotJoint>& joints() const = 0;
-    virtual const Eigen::Isometry3d& X_WB() const = 0;  ///< where the base frame stands
+    virtual const Eigen::Isometry3d& X_WB() const = 0;  ///< base frame in the world
     virtual const Eigen::Isometry3d& X_FT() const = 0;  ///< tool in the frame of the last link
     virtual const std::vector<ParameterDeviation>& deviations() const = 0;
     virtual const std::vector<DeviationCorrelation>& correlations() const = 0;
-    /// Of an analysis that found the parameter: the output that it is.
+    /// Output of the analysis that found the parameter; empty: none did.
     virtual std::optional<OutputReference> taken_from(std::size_t /*joint*/, JointParameter) const {
         return {};
     }
@@ -85,7 +85,7 @@ std::vector<Eigen::Isometry3d> link_frames(const SerialRobotSource& robot, const
 /// Standard uncertainty of a parameter: root sum of squares of its components.
 double standard_uncertainty_of(const SerialRobotSource& robot, std::size_t joint, JointParameter parameter);
 
-/// What a robot's table of results says for each parameter: value, components by source, u, U = 2 u.
+/// Table of a robot's parameters: value, components by source, u, U = 2 u.
 struct Table;
 Table parameter_table(const SerialRobotSource& robot);
 

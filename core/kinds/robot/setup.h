@@ -40,7 +40,7 @@ struct PoseSetup {
     Offered<SerialRobotSource> arm;
     std::vector<StatedPose> stated;
     std::vector<StatedPlace> places;
-    std::vector<Pose> poses;  ///< of both tables
+    std::vector<Pose> poses;  ///< poses of both tables
     std::optional<RotationConvention> orientation;
     bool in_world = false;   ///< results in the world frame instead of the robot's base
     bool combine = false;    ///< components of a parameter drawn as one

@@ -1,4 +1,4 @@
-// From a chain of URDF joints to parameters of Eq 5.
+// Conversion of a chain of URDF joints to parameters of Eq 5.
 #include "core/kinds/robot/urdf.h"
 
 #include <cmath>
@@ -70,7 +70,7 @@ AxisFrame<double> next_frame(const AxisFrame<double>& before, const AxisLine<dou
     f.z = axis.direction;
     f.o = meets(axis, before.o, before.z);
     const Eigen::Vector3d h = f.o - before.o;
-    // One and the same line: any x will do, so that of the frame before.
+    // Both are the same line: any x will do, so that of the frame before is kept.
     f.y = (h.norm() > no_length ? f.z.cross(h) : f.z.cross(before.x)).normalized();
     f.x = f.y.cross(f.z);
     return f;
@@ -114,7 +114,8 @@ double plain(double value) {
     return (std::abs(value - whole) <= 2e-12 * std::max(1.0, 1e-3 * std::abs(value)) ? whole : value) + 0.0;
 }
 
-/// In gimbal lock the entries that rounding left are taken off first, so that the first angle is 0.
+/// Position and angles of a pose; entries left by rounding go first, so that the first angle is 0 in gimbal
+/// lock.
 PoseValue pose_value(const Eigen::Isometry3d& X) {
     PoseValue pose;
     const Eigen::Matrix3d R =
@@ -174,7 +175,7 @@ Message limits_of(const urdf::Joint& joint) {
                                format_short(unit.from_si(joint.high), 6), joint.slides() ? "mm" : "deg");
 }
 
-/// In parentheses.
+/// The numbers in parentheses.
 std::string three_numbers(const std::array<double, 3>& v) {
     return "(" + format_short(v[0], 6) + ", " + format_short(v[1], 6) + ", " + format_short(v[2], 6) + ")";
 }

@@ -19,7 +19,7 @@ bool called_a_finger(std::string name) {
     return grips && !(has("roll") || has("pitch") || has("yaw") || has("rot") || has("wrist"));
 }
 
-/// What the tree says about a joint.
+/// Place of a joint in the tree.
 struct Place {
     std::size_t above = nobody;    ///< joint that holds its parent link
     std::size_t body = nobody;     ///< nearest joint above that is not fixed: what follows moves with it
@@ -111,14 +111,14 @@ public:
     }
 
 private:
-    /// At the first joint that nothing leads to.
+    /// Error at the first joint that nothing leads to.
     tl::unexpected<Error> ring() const {
         const auto first = std::find(sorted_.begin(), sorted_.end(), false) - sorted_.begin();
         return refused_at(joints_[static_cast<std::size_t>(first)].line,
                           tell<"the links form a ring; URDF describes trees">());
     }
 
-    /// Of a joint on the way to a tip that is named.
+    /// Words about a joint on the way to a named tip that an arm cannot have.
     static Message obstacle_words(const Joint& joint, const std::string& tip) {
         return joint.follows.empty()
                    ? tell<"joint %1 on the way to %2 is of the type %3: freeze it, --freeze %1=0">(
@@ -144,7 +144,7 @@ private:
         return tell<"left out: it is not on the way to %1">(tip);
     }
 
-    /// Each joint behind those above it; what hangs on a ring is not reached.
+    /// Sorts each joint behind those above it; a joint that hangs on a ring is not reached.
     void sort() {
         std::map<std::string, std::vector<std::size_t>> by_parent;
         for (std::size_t j = 0; j < joints_.size(); ++j) {
@@ -214,7 +214,7 @@ private:
         });
     }
 
-    /// From the root of the tree to the link that joint `end` holds.
+    /// The joints from the root of the tree to the link that joint `end` holds.
     Chain chain(std::size_t end) const {
         Chain chain{.root = {}, .tip = joints_[end].child};
         for (std::size_t j = end; j != nobody; j = places_[j].above) {

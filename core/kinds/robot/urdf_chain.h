@@ -14,11 +14,11 @@ enum class JointKind { fixed, rotating, sliding, other };
 
 struct Joint {
     std::string name, type, parent, child;
-    int line = 0;              ///< of the file, where it begins
+    int line = 0;              ///< line of the file where it begins
     std::string follows = {};  ///< name of the joint that it mimics
     JointKind kind = JointKind::other;
     Eigen::Isometry3d X_PJ = Eigen::Isometry3d::Identity();  ///< its frame in that of the parent link
-    Eigen::Vector3d axis = Eigen::Vector3d::UnitX();         ///< in its own frame
+    Eigen::Vector3d axis = Eigen::Vector3d::UnitX();         ///< axis in the joint's own frame
     bool limited = false;
     double low = 0.0, high = 0.0;  ///< rad or m
 
@@ -31,11 +31,11 @@ struct Joint {
 
 struct Robot {
     std::string name;
-    int line = 0;                    ///< of the file, where it begins
+    int line = 0;                    ///< line of the file where it begins
     std::vector<Joint> joints = {};  ///< in the order of the file
 };
 
-/// What became of a joint of the file that is none of the arm.
+/// A remark on a joint of the file that is none of the arm: what became of it.
 struct Remark {
     std::string joint;
     Message words;

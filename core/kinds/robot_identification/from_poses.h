@@ -28,11 +28,11 @@ enum class UnknownKind { base, tool, parameter };
 /// "y", "rotation about z": of x, y, z and the rotations about them.
 Message coordinate_words(std::size_t coordinate);
 
-/// One number that the fit finds.
+/// A number that the fit finds.
 struct Unknown {
     UnknownKind kind = UnknownKind::parameter;
-    IdentifiedParameter parameter = {};  ///< of a joint
-    std::size_t coordinate = 0;          ///< of base or tool: x, y, z, rotations about x, y, z
+    IdentifiedParameter parameter = {};  ///< the parameter of a joint
+    std::size_t coordinate = 0;          ///< coordinate of base or tool: x, y, z, rotations about x, y, z
     Message name() const;
 };
 
@@ -41,24 +41,24 @@ struct MeasuredPose {
     std::string source = {};
     bool check = false;  ///< held back from the fit
     std::vector<double> q = {};
-    std::vector<Turn<double>> turns = {};  ///< of each joint, from its zero reading
+    std::vector<Turn<double>> turns = {};  ///< turn of each joint from its zero reading
     Eigen::Vector3d p = Eigen::Vector3d::Zero();
     Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
     std::size_t first_input = 0;                        ///< x, y, z, then rotations about the tool's axes
     std::array<std::size_t, most_joints> reading = {};  ///< index of an uncertain reading, or no_input
 };
 
-/// What the fit leaves over.
+/// Statistics of what the fit leaves over.
 struct FitStatistics {
-    Eigen::VectorXd residuals, u_residuals;    ///< of all rows of the fit; u: what they should scatter by
-    Eigen::VectorXd deviations, u_deviations;  ///< of check poses: calculated less measured, x y z each
+    Eigen::VectorXd residuals, u_residuals;    ///< of all rows of the fit; u: expected scatter
+    Eigen::VectorXd deviations, u_deviations;  ///< at check poses: calculated less measured, x y z each
     Eigen::VectorXd before;                    ///< the same with the nominal parameters
-    Eigen::MatrixXd covariance;                ///< of the unknowns
-    Eigen::VectorXd singular_values;           ///< of the weighted Jacobian with columns of length one
+    Eigen::MatrixXd covariance;                ///< covariance of the unknowns
+    Eigen::VectorXd singular_values;           ///< those of the weighted Jacobian with columns of length one
     Eigen::VectorXd weakest;                   ///< direction of the unknowns that belongs to the last
     double scatter = 0.0;        ///< root mean square of residuals over what their uncertainties explain
-    double limit = 0.0;          ///< of |residual|/u, family-wise 5 %
-    ComponentEvidence evidence;  ///< of measured poses, with the uncertainties that were stated
+    double limit = 0.0;          ///< limit of |residual|/u, family-wise 5 %
+    ComponentEvidence evidence;  ///< evidence of measured poses about the stated uncertainties
 };
 
 /// A row of the measured poses, SI.
@@ -80,9 +80,9 @@ struct StatedCalibration {
     bool simulated = true, with_orientation = false, base_fitted = true, tool_fitted = true;
     std::vector<StatedPose> measured;
     int pose_count = 0;       ///< simulated
-    double half_range = 0.0;  ///< of their joints
+    double half_range = 0.0;  ///< half the range of their joints
     PointLocator locator;
-    double u_angle = 0.0;  ///< of a measured orientation, about each axis
+    double u_angle = 0.0;  ///< u of a measured orientation, about each axis
     Eigen::Isometry3d ball = Eigen::Isometry3d::Identity();
     std::vector<HeldByUser> held_by_user;
     evidence::UncertaintiesFrom uncertainties = evidence::UncertaintiesFrom::stated;
@@ -93,15 +93,15 @@ const Fields<StatedCalibration>& fields();
 
 struct Calibration : StatedCalibration {
     explicit Calibration(StatedCalibration stated) : StatedCalibration(std::move(stated)) {}
-    std::vector<MeasuredPose> poses;  ///< those of the fit first
+    std::vector<MeasuredPose> poses;  ///< poses of the fit, then the others
     std::size_t fitted_poses = 0;
     Eigen::Isometry3d X_MB = Eigen::Isometry3d::Identity();  ///< base in the measuring frame, fitted
     Eigen::Isometry3d X_FT = Eigen::Isometry3d::Identity();  ///< ball or tool, fitted
     std::vector<Unknown> unknowns;
-    std::vector<double> solution;  ///< at the estimates; rotations of base and tool are from X_MB, X_FT on
+    std::vector<double> solution;  ///< estimates of the unknowns; rotations of base and tool from X_MB, X_FT
     std::vector<HeldParameter> held;
     Eigen::MatrixXd gain;         ///< unknowns by rows of the fit
-    std::vector<double> weights;  ///< of the rows of the fit
+    std::vector<double> weights;  ///< weights of the rows of the fit
     FitStatistics statistics;
     InputSet inputs;
 

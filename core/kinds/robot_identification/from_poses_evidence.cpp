@@ -1,4 +1,4 @@
-// What the residuals of an identification say about the uncertainties of the measured places and of the
+// Evidence of the residuals of an identification about the uncertainties of the measured places and of the
 // joints' readings.
 #include <map>
 
@@ -32,8 +32,8 @@ FigureOfComponent figure_of_reading(const UncertaintyComponent& component, const
     return {"5", tell<"readings of the joints">(), component.unit};
 }
 
-/// Of each component of the fitted poses; those that several poses share, as a tracker's scale, have none:
-/// the unknowns take them up.
+/// Figures of the components of the fitted poses; components that several poses share, as a tracker's scale,
+/// have none: the unknowns take them up.
 std::map<std::size_t, FigureOfComponent> figures_of_components(const Calibration& c) {
     std::map<std::size_t, FigureOfComponent> figures;
     std::map<std::size_t, std::size_t> pose_of;

@@ -154,7 +154,7 @@ void warn_of_outlier(const Calibration& c, Index row, double size, Problems& pro
                          format_short(c.statistics.limit)));
 }
 
-/// Of residuals that the uncertainties do not explain.
+/// Warns of residuals that the uncertainties do not explain.
 void warn_of_residuals(const Calibration& c, Problems& problems) {
     const FitStatistics& s = c.statistics;
     const auto freedom = static_cast<double>(c.rows() - c.unknowns.size());

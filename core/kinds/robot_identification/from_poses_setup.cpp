@@ -56,7 +56,7 @@ public:
     }
 
 private:
-    /// Of a fit by itself; what there is to say of it will be said of the one that follows.
+    /// Evidence from a fit with the stated uncertainties; its problems will be those of the fit that follows.
     ComponentEvidence evidence_as_stated() const {
         Calibration stated = c_;
         Problems unsaid;
@@ -177,7 +177,7 @@ private:
         }
     }
 
-    /// Everything that could be fitted; what the poses cannot tell is taken out by the fit.
+    /// Lists all that could be fitted; the fit takes out what the poses cannot tell.
     void list_unknowns() {
         for (std::size_t k = 0; c_.base_fitted && k < 6; ++k)
             c_.unknowns.push_back({.kind = UnknownKind::base, .coordinate = k});

@@ -1,4 +1,4 @@
-// What a calibration says: parameters with their covariance, observability, residuals, check poses, picture.
+// Results of a calibration: parameters with their covariance, observability, residuals, check poses, layout.
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>

@@ -19,14 +19,14 @@ namespace covaria::circle_points {
 /// Points measured while one joint turns.
 struct Trajectory {
     std::vector<Eigen::Vector3d> points;  ///< world frame, m
-    std::vector<std::size_t> rows;        ///< of the table; empty when simulated
+    std::vector<std::size_t> rows;        ///< their rows in the table; empty when simulated
     std::size_t first_input = 0;          ///< index of x of the first point; three for each
     CircleShape shape;
 };
 
 /// A row of the measured points, SI.
 struct StatedPoint {
-    std::size_t joint = 0;    ///< from 1
+    std::size_t joint = 0;    ///< number of the joint from 1
     std::optional<double> q;  ///< reading of the joint
     Eigen::Vector3d p = Eigen::Vector3d::Zero();
 };
@@ -55,7 +55,7 @@ struct Identification : StatedIdentification {
     std::vector<IdentifiedParameter> parameters;
     std::vector<HeldParameter> missing;
     InputSet inputs;
-    ComponentEvidence evidence;  ///< with the uncertainties that were stated
+    ComponentEvidence evidence;  ///< evidence about the stated uncertainties
 };
 
 /// Distances of the measured points from their circles, along the normal and along the radius.

@@ -1,4 +1,4 @@
-// What the distances of measured points from the circles of the joints say about their uncertainties.
+// Evidence of the distances of measured points from the circles of the joints about their uncertainties.
 #include <map>
 
 #include "core/kinds/robot_identification/from_trajectories.h"

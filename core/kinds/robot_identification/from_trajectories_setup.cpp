@@ -34,7 +34,7 @@ std::string place(M... members) {
     return fields().place(members...);
 }
 
-/// Which axes are parallel, on which side their common perpendiculars run, and which parameters there are.
+/// Decision which axes are parallel, where their common perpendiculars run, and which parameters there are.
 class Structure {
 public:
     Structure(Identification& id, Problems& problems) : id_(id), problems_(problems) {}

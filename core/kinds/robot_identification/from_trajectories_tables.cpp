@@ -1,4 +1,4 @@
-// What the joint trajectories say: parameters with their covariance, tables, picture.
+// Results of the joint trajectories: parameters with their covariance, tables, layout.
 #include <cmath>
 #include <numbers>
 
@@ -116,7 +116,7 @@ void add_identified_arm(const Identification& id, Layout& layout) {
     std::vector<double> zero;
     for (const RobotJoint& joint : robot.joints()) zero.push_back(joint.zero);
     add_arm(robot, zero, "", layout);
-    std::erase_if(layout.links, [](const LayoutLink& link) {  // those of the circles are drawn
+    std::erase_if(layout.links, [](const LayoutLink& link) {  // the circles have drawn theirs
         return link.kind == LinkKind::joint_axis && !link.name.starts_with("axis of");
     });
 }

@@ -35,7 +35,7 @@ Table held_table(const std::vector<HeldParameter>& held);
 /// The nominal arm with the found values, without uncertainties.
 RobotData identified_robot(const SerialRobotSource& nominal, const std::vector<IdentifiedParameter>& found,
                            const std::vector<double>& values);
-/// Each found parameter is an output of the analysis that finds it: in the group "joint 3", by its symbol.
+/// The robot whose found parameters are outputs of the analysis `analysis`: group "joint 3", by symbol.
 std::shared_ptr<const Asset> robot_of_analysis(RobotData data, const std::vector<IdentifiedParameter>& found,
                                                const std::string& analysis);
 

@@ -8,7 +8,7 @@ namespace covaria::sheets {
 
 namespace {
 
-/// One step of Gauss and Newton; a slope distance is not linear in the zero offset. Signs: horizontal
+/// Equations of one Gauss-Newton step; a slope distance is not linear in the zero offset. Signs: horizontal
 /// distance of (reading + zero offset) + residual = place of the farther pillar - place of the nearer one.
 struct DistanceEquations {
     Eigen::MatrixXd design;

@@ -15,10 +15,10 @@ namespace covaria::sheets {
 /// Unknowns: places of all pillars but the first, then the zero offset, which is added to a reading.
 struct DistanceMeterFit {
     Eigen::VectorXd unknowns;
-    Eigen::MatrixXd cofactors;   ///< of the unknowns
+    Eigen::MatrixXd cofactors;   ///< cofactors of the unknowns
     Eigen::VectorXd residuals;   ///< adjusted less read, horizontal
-    Eigen::VectorXd redundancy;  ///< of each reading: diagonal of I - A Q A^T
-    double s = 0.0;              ///< of one distance
+    Eigen::VectorXd redundancy;  ///< redundancy of each reading: diagonal of I - A Q A^T
+    double s = 0.0;              ///< standard deviation of one distance
     double degrees_of_freedom = 0.0;
     double zero_offset() const { return unknowns[unknowns.size() - 1]; }
     double u(Eigen::Index unknown) const { return s * std::sqrt(cofactors(unknown, unknown)); }
@@ -33,7 +33,7 @@ std::optional<DistanceMeterFit> fit_of(const DistanceMeterSetup& setup);
 /// The scale correction m = sum g_j (L_j - X_j) by the reference lengths, with the weights of least squares:
 /// the covariance of the adjusted lengths and the u of each reference length.
 Eigen::VectorXd scale_gain(const DistanceMeterSetup& setup, const DistanceMeterFit& fit);
-/// Which unknown a reference length belongs to.
+/// Index of the unknown that a reference length belongs to.
 Eigen::Index unknown_of(const DistanceMeterSetup& setup, const ReferenceLength& length);
 
 std::vector<Table> distance_meter_tables(const DistanceMeterSetup& setup, const DistanceMeterFit& fit);

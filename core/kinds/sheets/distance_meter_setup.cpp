@@ -80,7 +80,7 @@ std::size_t pillar_of(DistanceMeterSetup& setup, const std::string& name) {
     return setup.pillars.size() - 1;
 }
 
-/// Where the pillars stand, one after the other: each has two places beside one that stands already, and the
+/// Places of the pillars, one after the other: each has two places beside one that stands already, and the
 /// readings to others say which.
 class Arrangement {
 public:
@@ -102,7 +102,7 @@ public:
     }
 
 private:
-    /// All readings between a pillar and those that stand: where those are, and how far.
+    /// All readings between a pillar and those that stand: their places and the distances.
     std::vector<std::pair<double, double>> seen_from(std::size_t pillar) const {
         std::vector<std::pair<double, double>> seen;
         for (std::size_t i = 0; i < setup_.places.size(); ++i) {

@@ -1,4 +1,4 @@
-// What the sheet of a distance meter says beside its results: tests, lengths, readings.
+// Tables of the sheet of a distance meter beside its results: tests, lengths, readings.
 #include <algorithm>
 #include <cmath>
 

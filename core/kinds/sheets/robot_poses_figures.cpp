@@ -7,7 +7,7 @@ namespace covaria::sheets {
 
 namespace {
 
-/// Of a law; fewer where there are so many cycles that their draws would keep a reader of the form waiting.
+/// Simulated campaigns of a law; fewer where so many cycles are drawn that a reader of the form would wait.
 int campaigns_of(const RobotPosesSetup& setup) {
     double cycles = 1.0;
     for (const PoseSeries& series : setup.series) cycles += std::min(300.0, double(series.cycles()));

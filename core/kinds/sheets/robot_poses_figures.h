@@ -1,4 +1,4 @@
-// What the cycles of a robot say: barycentres, RP and its law, distances, and which series belong together.
+// Figures of the cycles of a robot: barycentres, RP and its law, distances, and which series belong together.
 #pragma once
 
 #include <string>
@@ -13,14 +13,14 @@ namespace covaria::sheets {
 
 struct SeriesFigures {
     Eigen::Vector3d barycentre = Eigen::Vector3d::Zero();
-    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< of a single cycle
-    double rp = 0.0;                                       ///< as ISO 9283 defines it
-    RepeatabilityLaw law;                                  ///< for the cycles and the scatter seen
+    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< covariance of a single cycle
+    double rp = 0.0;                                       ///< RP as ISO 9283 defines it
+    RepeatabilityLaw law;                                  ///< law of RP for these cycles and this scatter
     Eigen::Vector3d angles = Eigen::Vector3d::Zero();      ///< mean deviation
     Eigen::Vector3d s_angles = Eigen::Vector3d::Zero();
     std::size_t pose = 0;  ///< index of its commanded pose
     double ap(const PoseSeries& series) const { return (barycentre - series.commanded).norm(); }
-    /// Of AP along its direction, from the scatter of the cycles.
+    /// Standard uncertainty of AP along its direction, from the scatter of the cycles.
     double u_ap(const PoseSeries& series) const;
     /// Mean AP of a robot whose barycentre would be right with infinitely many cycles.
     double floor_of_ap(const PoseSeries& series) const;

@@ -125,7 +125,7 @@ private:
         return component;
     }
 
-    /// What the instrument and the base add to all cycles of a pose.
+    /// Adds the deviations that instrument and base add to all cycles of a pose.
     void add_place(std::size_t p) {
         for (const char* axis : pose_axes) {
             const std::string symbol = std::string("e") + axis + "_" + std::to_string(p + 1);

@@ -10,8 +10,8 @@ namespace covaria::sheets {
 
 inline constexpr std::array<const char*, 3> pose_axes{"x", "y", "z"}, pose_angles{"a", "b", "c"};
 
-/// Of each series: barycentre, RP, and with angles their means and 3 s. Then what the instrument adds to the
-/// cycles of each pose, mean and 3 s of each distance, RP of the instrument alone.
+/// The inputs of each series: barycentre, RP, and with angles their means and 3 s. Then the deviation of the
+/// instrument at each pose, mean and 3 s of each distance, RP of the instrument alone.
 struct PerformanceInputs {
     InputSet set;
     std::size_t stride = 4;  ///< quantities of a series

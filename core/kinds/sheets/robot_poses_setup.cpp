@@ -186,7 +186,7 @@ private:
 
     StatedPoses& setup_;
     Problems& problems_;
-    std::vector<std::vector<std::size_t>> rows_;  ///< of each series
+    std::vector<std::vector<std::size_t>> rows_;  ///< rows of each series
 };
 
 void check_commanded(const StatedPoses& setup, Problems& problems) {

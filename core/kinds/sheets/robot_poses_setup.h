@@ -15,7 +15,7 @@ using OptionalAngles = std::array<std::optional<double>, 3>;
 
 struct AttainedPose {
     std::string pose;
-    std::string direction;       ///< of approach; empty: one for all
+    std::string direction;       ///< direction of approach; empty: one for all
     std::optional<double> time;  ///< since warm-up began, for drift
     Eigen::Vector3d p = Eigen::Vector3d::Zero();
     OptionalAngles angles = {};
@@ -51,15 +51,15 @@ struct RobotPosesSetup {
     std::vector<CommandedPose> commanded;
     std::vector<AttainedPose> attained;
     std::vector<PosePair> pairs;  ///< distances between poses
-    double u_place = 0.0;         ///< of a measured coordinate, shared by the cycles of a pose
+    double u_place = 0.0;         ///< u of a measured coordinate, shared by the cycles of a pose
     InstrumentScatter instrument = InstrumentScatter::none;
     double instrument_rp = 0.0;
     int instrument_cycles = 0;
     std::vector<FixedTarget> fixed_target;
-    std::optional<double> expanded_u;     ///< of the instrument, for the rule of the largest ratio
-    std::optional<double> largest_ratio;  ///< of it to AP or RP
+    std::optional<double> expanded_u;     ///< U of the instrument, for the rule of the largest ratio
+    std::optional<double> largest_ratio;  ///< largest ratio of it to AP or RP
     std::optional<double> rated_ap, rated_rp;
-    double probability = 0.95;  ///< of a decision, and the quantile of AP over the poses
+    double probability = 0.95;  ///< probability of a decision, and the quantile of AP over the poses
 
     std::vector<PoseSeries> series;
     bool has_angles() const { return !series.empty() && series.front().angles.rows() > 0; }

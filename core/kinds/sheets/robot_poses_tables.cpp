@@ -1,4 +1,4 @@
-// What the sheet of a robot says beside its results: figures as the standard defines them, what few cycles
+// Tables of the sheet of a robot beside its results: figures as the standard defines them, what few cycles
 // do to them, decisions.
 #include <algorithm>
 #include <cmath>
