@@ -1,4 +1,4 @@
-// Where the candidates of a design stand, read off the layouts of their models: no family is known here.
+// Places of the candidates of a design, read off the layouts of their models: no family is known here.
 #pragma once
 
 #include <optional>
@@ -42,7 +42,7 @@ private:
     const PreparedDesign& design_;
     const Candidate chosen_;
     std::stop_token stop_;
-    std::vector<Stand> stands_;             ///< of the chosen design
+    std::vector<Stand> stands_;             ///< things of the chosen design
     std::vector<std::vector<bool>> moves_;  ///< variable, stand: it is moved
 };
 
