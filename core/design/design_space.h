@@ -15,7 +15,7 @@ public:
     /// Throws Stopped, as everything below.
     DesignSpace(CandidateJudge& judge, const PreparedDesign& design, Candidate chosen, std::stop_token stop);
 
-    /// Of every row of the table: where the first stands of what the model shows with it only, instruments
+    /// Place of every row of the table: that of the first thing the model shows with it only, instruments
     /// before points before frames.
     std::vector<std::optional<Eigen::Vector3d>> places_of_rows();
     DesignPlaces places(const std::vector<DesignStep>& steps);

@@ -122,8 +122,8 @@ private:
         return words;
     }
 
-    /// By the shares of the variances in the budget. What an asset states goes by its statement; components
     /// States sources by the shares of variance in the budget. A statement of an asset is one; components
+    /// that are typed by themselves are one each.
     void state_sources(const UncertaintyResult& verified, const InputSet& inputs,
                        const References& references) {
         std::set<std::string> of_assets;  // ids
