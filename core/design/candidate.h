@@ -1,4 +1,4 @@
-// One candidate of a design after the other, by one thread: its objective, or why it has none.
+// Candidates of a design, one after the other, by one thread: their objective, or why they have none.
 #pragma once
 
 #include <functional>
@@ -11,20 +11,20 @@
 namespace covaria::detail {
 
 struct Candidate {
-    std::vector<double> values;     ///< of the variables, in their units
+    std::vector<double> values;     ///< values of the variables, in their units
     std::vector<std::size_t> rows;  ///< kept, rising; of no meaning without a table
 };
 
 struct Judged {
     double objective = std::numeric_limits<double>::infinity();
     std::vector<double> expanded = {};  ///< U of the outputs looked at
-    std::vector<double> standard = {};  ///< likewise u
+    std::vector<double> standard = {};  ///< u of the outputs looked at
     Message reason = {};                ///< why there is no result, or which constraint is violated
     double violation = 0.0;
     bool cancelled = false;
 
     bool feasible() const { return reason.empty() && !cancelled; }
-    /// What a search compares: infeasible ones are all worse, and by how much they violate. Where the
+    /// Figure that a search compares: infeasible ones are all worse, by how much they violate. Where the
     /// objective is the cost, those that do not meet the targets have `expanded` all the same.
     double merit() const { return feasible() ? objective : 1e30 * (1.0 + violation); }
 };
@@ -54,7 +54,7 @@ private:
     const PreparedDesign& design_;
     References references_;
     EvaluationOptions options_;
-    std::vector<std::size_t> indices_;  ///< of the outputs in the unchanged model
+    std::vector<std::size_t> indices_;  ///< indices of the outputs in the unchanged model
     bool in_space_;                     ///< there are constraints
     ChangedProject changed_;
 };

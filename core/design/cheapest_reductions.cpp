@@ -9,7 +9,7 @@ namespace covaria::detail {
 namespace {
 
 constexpr int most_steps = 200;
-constexpr double gap = 1e-13;  ///< of the sum of the prices
+constexpr double gap = 1e-13;  ///< relative to the sum of the prices
 constexpr double log2e = 1.4426950408889634;
 
 /// Cost as a function of v = f², for a price of one, with its derivatives.
@@ -29,7 +29,7 @@ Cost cost_at(PriceLaw law, double v) {
     return {1.0 / root - 1.0, -0.5 / (v * root), 0.75 / (v * v * root)};
 }
 
-/// All conditions are G v <= h: the limits, then v >= least, then v <= 1.
+/// Interior-point method. All conditions are G v <= h: the limits, then v >= least, then v <= 1.
 class InteriorPoint {
 public:
     explicit InteriorPoint(const ReductionTask& task)
@@ -125,7 +125,7 @@ private:
 
     const ReductionTask& task_;
     Eigen::Index n_, k_;
-    double unit_ = 0.0;  ///< of cost
+    double unit_ = 0.0;  ///< unit of cost
     Eigen::VectorXd least_;
     Eigen::MatrixXd G_;
     Eigen::VectorXd h_, v_, lambda_;

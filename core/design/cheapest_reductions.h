@@ -16,7 +16,7 @@ struct ReductionTask {
 };
 
 struct CheapestReductions {
-    bool possible = false;  ///< else all factors are the smallest there are
+    bool possible = false;  ///< false: all factors are the smallest there are
     std::vector<double> factors;
     double cost = 0.0;
     Eigen::VectorXd

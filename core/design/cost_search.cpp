@@ -8,7 +8,7 @@ namespace covaria::detail {
 
 namespace {
 
-constexpr double cheaper = 1.0 - 1e-12;           ///< what counts as an improvement
+constexpr double cheaper = 1.0 - 1e-12;           ///< factor that counts as an improvement
 constexpr std::size_t most_one_for_two = 10'000;  ///< choices that one row in place of two may be
 
 }  // namespace
@@ -94,7 +94,8 @@ void CostSearch::try_all() {
                         [this](const std::vector<Rows>& choices) { judge(choices, tell<"all choices">()); });
 }
 
-/// What brings the largest ratio down most for its price; backwards from all rows where a few do not suffice.
+/// Adds the row that brings the largest ratio down most for its price, one after the other; backwards from
+/// all rows where a few do not suffice.
 Rows CostSearch::greedy() {
     Rows rows = choice_.fixed;
     double ratio = std::numeric_limits<double>::infinity();

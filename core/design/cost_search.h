@@ -13,7 +13,7 @@ namespace covaria::detail {
 
 class CostSearch {
 public:
-    /// At these values of the variables.
+    /// Begins a search at these values of the variables.
     CostSearch(SearchBook& book, std::vector<double> values);
 
     struct Found {
@@ -21,10 +21,10 @@ public:
         bool has_result =
             false;  ///< else nothing that was tried has; targets that are not met are judged later
         bool proved = false;
-        std::vector<DesignCost> front;  ///< of all that was evaluated: what is dearer reaches less
+        std::vector<DesignCost> front;  ///< costs of all that was evaluated: what is dearer reaches less
     };
-    /// All choices of at most `keep` rows where they are few, else greedy and exchange, from the present
-    /// design and from random choices.
+    /// Searches all choices of at most `keep` rows where they are few, else greedily and by exchange, from
+    /// the present design and from random choices.
     Found find();
 
 private:

@@ -31,7 +31,7 @@ struct PreparedDesign {
     std::vector<std::vector<std::size_t>> assets_of_rows;
     std::vector<DesignedOutput> outputs;
     std::vector<double> present;  ///< values of the variables now, in their units
-    std::string fingerprint;      ///< of the analysis
+    std::string fingerprint;      ///< fingerprint of the analysis
 };
 
 /// Null after an error; paths from the project's root ("/analyses/0/designs/1/variables/0/target").

@@ -11,11 +11,11 @@ namespace covaria::detail {
 namespace {
 
 constexpr std::size_t most_tracks = 12;
-constexpr std::size_t most_followed = 300;        ///< of a path
-constexpr std::size_t most_region_variables = 3;  ///< that have a box to be drawn
+constexpr std::size_t most_followed = 300;        ///< most steps shown of a path
+constexpr std::size_t most_region_variables = 3;  ///< most variables that have a box to be drawn
 constexpr double same_spot = 1e-9;                ///< m
 
-/// What comes from a row is another's where rows have moved up.
+/// Takes the sources out: where rows have moved up, a source would be another row's.
 void forget_sources(Layout& layout) {
     for (LayoutFrame& frame : layout.frames) frame.source = {};
     for (LayoutPoint& point : layout.points) point.source = {};
@@ -32,8 +32,8 @@ std::vector<std::size_t> without(std::vector<std::size_t> rows, std::size_t row)
     return rows;
 }
 
-/// The first of `all` that `others` have not, each counted once. What stands elsewhere there under the same
-/// name was moved, as a point that is computed from all rows: it is not new.
+/// The first of `all` that `others` have not, each counted once. A thing that stands elsewhere there under
+/// the same name was moved, as a point that is computed from all rows: it is not new.
 template <class Stand>
 std::optional<Eigen::Vector3d> first_more(const std::vector<Stand>& all, const std::vector<Stand>& others) {
     const auto key = [](const Stand& s) { return std::tuple(s.rank, s.p_W.x(), s.p_W.y(), s.p_W.z()); };
@@ -55,7 +55,7 @@ std::optional<Eigen::Vector3d> first_more(const std::vector<Stand>& all, const s
     return {};
 }
 
-/// At most so many of them, evenly, with the last.
+/// Steps of a path, at most `most_followed`, evenly, with the last.
 std::vector<const DesignStep*> thinned(const std::vector<DesignStep>& steps) {
     std::vector<const DesignStep*> some;
     const std::size_t stride = steps.size() / most_followed + 1;
@@ -108,7 +108,7 @@ std::vector<std::optional<Eigen::Vector3d>> DesignSpace::places_of_rows() {
     return places;
 }
 
-/// Where it cannot be left out, another stands in for it.
+/// Place of a row that was kept; where it cannot be left out, another stands in for it.
 std::optional<Eigen::Vector3d> DesignSpace::place_of_kept(std::size_t row) {
     const std::vector<std::size_t> others = without(chosen_.rows, row);
     std::vector<Stand> left;

@@ -1,4 +1,4 @@
-// Where the candidates of a design stand, read off the layouts of their models: no family is known here.
+// Places of the candidates of a design, read off the layouts of their models: no family is known here.
 #pragma once
 
 #include <optional>
@@ -15,7 +15,7 @@ public:
     /// Throws Stopped, as everything below.
     DesignSpace(CandidateJudge& judge, const PreparedDesign& design, Candidate chosen, std::stop_token stop);
 
-    /// Of every row of the table: where the first stands of what the model shows with it only, instruments
+    /// Place of every row of the table: that of the first thing the model shows with it only, instruments
     /// before points before frames.
     std::vector<std::optional<Eigen::Vector3d>> places_of_rows();
     DesignPlaces places(const std::vector<DesignStep>& steps);
@@ -42,7 +42,7 @@ private:
     const PreparedDesign& design_;
     const Candidate chosen_;
     std::stop_token stop_;
-    std::vector<Stand> stands_;             ///< of the chosen design
+    std::vector<Stand> stands_;             ///< things of the chosen design
     std::vector<std::vector<bool>> moves_;  ///< variable, stand: it is moved
 };
 

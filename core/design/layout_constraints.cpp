@@ -42,7 +42,7 @@ struct Box {
             high(static_cast<Eigen::Index>(axis)) = box.unit.to_si(box.to[axis]);
         }
     }
-    /// How far it is to the nearest face from inside; 0 outside.
+    /// Distance to the nearest face from inside; 0 outside.
     double depth(const Eigen::Vector3d& p) const {
         return std::max(0.0, std::min((p - low).minCoeff(), (high - p).minCoeff()));
     }

@@ -1,4 +1,4 @@
-// What a design may not do in space, judged by the layout of its model: no family is known here.
+// Constraints of a design in space, judged by the layout of its model: no family is known here.
 #pragma once
 
 #include <string>

@@ -11,7 +11,7 @@ namespace covaria {
 
 namespace {
 
-/// Of one design of an analysis, paths relative to it.
+/// Problems of one design of an analysis, paths relative to it.
 Problems problems_of(const MadeProject& made, const PreparedAnalysis& analysis, const Design& design) {
     AnalysisEntry only = *made.project().find_analysis(analysis.id);
     only.designs = {design};
@@ -36,7 +36,7 @@ Problems problems_of(const MadeProject& made, const PreparedAnalysis& analysis, 
 /// The smallest of its target uncertainties, where an output has some.
 std::vector<std::optional<double>> targets_of(const AnalysisEntry& entry,
                                               const std::vector<OutputQuantity>& outputs) {
-    Problems ignored;  // of the analysis; it was made
+    Problems ignored;  // problems of the analysis, which was made
     std::vector<std::optional<double>> targets(outputs.size());
     for (const OutputRequirement& requirement : read_requirements(entry, outputs, ignored)) {
         if (!requirement.target_uncertainty) continue;
@@ -110,7 +110,7 @@ void find_assets_of_rows(const Project& part, PreparedDesign& prepared) {
     }
 }
 
-/// What the design needs of the project; empty after an error.
+/// Part of the project that the design needs; empty after an error.
 std::optional<Project> part_for(const Project& project, const AnalysisEntry& entry,
                                 PreparedDesign& prepared) {
     if (!prepared.design.choose) return analysis_part(project, entry);

@@ -9,10 +9,10 @@ namespace covaria::detail {
 
 namespace {
 
-constexpr int most_rounds = 50;           ///< of coverage factors
+constexpr int most_rounds = 50;           ///< rounds of coverage factors
 constexpr double same_factor = 1e-10;     ///< relative
 constexpr double same_variance = 1e-8;    ///< relative: what rounding may make of a sum
-constexpr std::size_t trial_factors = 3;  ///< at which the sum is checked
+constexpr std::size_t trial_factors = 3;  ///< factors at which the sum is checked
 constexpr std::size_t front_points = 15;
 
 class ReductionSearch {
@@ -87,7 +87,7 @@ private:
         return {};
     }
 
-    /// With targets `ratio` times as large.
+    /// Finds the reductions for targets `ratio` times as large.
     Result<void> solve(double ratio, CheapestReductions& best) {
         std::vector<double> factors(reductions_.size(), 1.0);
         std::vector<double> coverage;
@@ -119,7 +119,7 @@ private:
         return task;
     }
 
-    /// From nearly the smallest ratio that can be reached to the one that costs nothing.
+    /// Draws the costs from nearly the smallest ratio that can be reached to the one that costs nothing.
     Result<void> draw_front(std::vector<DesignCost>& front) {
         std::vector<double> least;
         for (const DesignReduction& reduction : reductions_) least.push_back(reduction.number.from);

@@ -10,7 +10,7 @@ namespace covaria::detail {
 struct FoundReductions {
     std::vector<double> factors;  ///< the smallest there are where they do not suffice
     double cost = 0.0;
-    std::vector<double> prices;  ///< of the targets: cost per SI unit less of each
+    std::vector<double> prices;  ///< prices of the targets: cost per SI unit less of each
     std::vector<DesignCost> front;
 };
 

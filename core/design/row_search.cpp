@@ -7,10 +7,10 @@ namespace covaria::detail {
 
 namespace {
 
-constexpr double better = 1.0 - 1e-12;      ///< what counts as an improvement
+constexpr double better = 1.0 - 1e-12;      ///< factor that counts as an improvement
 constexpr std::size_t most_promising = 24;  ///< partners of an exchange, until the last
 constexpr std::size_t most_idle = 3;        ///< starts without gain that end the search in a large table
-constexpr std::size_t further_counts = 3;   ///< of rows beyond those kept, on the curve
+constexpr std::size_t further_counts = 3;   ///< numbers of rows beyond those kept, on the curve
 
 }  // namespace
 
@@ -61,7 +61,7 @@ std::vector<Rows> RowSearch::with_another(const Rows& rows, std::size_t in_place
     return choices;
 }
 
-/// Those of which most would be gained if there were room for one more; all where they are few.
+/// Rows by which most would be gained if there were room for one more; all where they are few.
 Rows RowSearch::promising(const Rows& rows, const Message& search) {
     if (choice_.count <= rows.size() + most_promising) return choice_.all();
     std::vector<Rows> choices = with_one_more(rows);
@@ -126,7 +126,7 @@ Rows RowSearch::greedy() {
     return rows;
 }
 
-// Where a few rows do not suffice for a model: from all of them down.
+// Backward elimination from all rows, where a few do not suffice for a model.
 Rows RowSearch::backward() {
     Rows rows = choice_.all();
     judge({rows}, tell<"backward elimination">());

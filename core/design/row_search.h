@@ -12,7 +12,7 @@ namespace covaria::detail {
 
 class RowSearch {
 public:
-    /// At these values of the variables.
+    /// Begins a search at these values of the variables.
     RowSearch(SearchBook& book, std::vector<double> values);
 
     struct Found {
@@ -21,7 +21,7 @@ public:
         bool proved = false;
     };
     Found find();
-    /// By exchange from these rows, which stay where nothing gains.
+    /// Improves these rows by exchange; they stay where nothing gains.
     Found improve(const Rows& rows);
     /// The best of each number of rows at these values; `find` looks at some, this at those that differ from
     /// `rows` by a few.
@@ -32,14 +32,14 @@ private:
         double merit = 0.0;
         bool feasible = false;
     };
-    /// Of those not known yet, all are evaluated at once.
+    /// Judges the choices that are not known yet, all at once.
     void judge(const std::vector<Rows>& choices, const Message& search);
-    /// The smallest merit, the first of equal ones; the choices are judged first.
+    /// The choice with the smallest merit, the first of equal ones; the choices are judged first.
     const Rows& best_of(const std::vector<Rows>& choices, const Message& search);
     Merit merit_of(const Rows& rows) const { return known_.at(rows); }
     std::vector<Rows> with_one_more(const Rows& rows) const;
     std::vector<Rows> with_one_less(const Rows& rows) const;
-    /// With one of the partners in the place of a row.
+    /// Choices with one of the partners in the place of a row.
     std::vector<Rows> with_another(const Rows& rows, std::size_t in_place_of, const Rows& partners) const;
     Rows promising(const Rows& rows, const Message& search);
 

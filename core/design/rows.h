@@ -16,9 +16,9 @@ bool contains(const Rows& rows, std::size_t row);
 
 /// Number of choices of k of n; the largest double where there are more.
 double number_of_choices(std::size_t n, std::size_t k);
-inline constexpr double most_choices = 50'000;  ///< that are all evaluated
+inline constexpr double most_choices = 50'000;  ///< largest number that are all evaluated
 
-/// What a design may choose among.
+/// Rows that a design may choose among.
 struct RowChoice {
     explicit RowChoice(const PreparedDesign& design);
     std::size_t count, keep, least;
@@ -27,10 +27,10 @@ struct RowChoice {
 
     bool is_fixed(std::size_t row) const { return contains(fixed, row); }
     double number(std::size_t size) const { return number_of_choices(free_rows.size(), size - fixed.size()); }
-    /// All choices of this size in lexicographic order, some hundred at a time; `size` is at least that of
-    /// the fixed rows.
+    /// Gives all choices of this size in lexicographic order, some hundred at a time; `size` is at least that
+    /// of the fixed rows.
     void for_all(std::size_t size, const std::function<void(const std::vector<Rows>&)>& take) const;
-    /// `keep` rows; equal starts give equal rows.
+    /// Random choice of `keep` rows; equal starts give equal rows.
     Rows at_random(std::size_t start) const;
     /// `rows` with a third of those that are not fixed, at least two where there are two, replaced at random.
     Rows shaken(const Rows& rows, std::size_t start) const;

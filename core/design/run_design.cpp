@@ -20,7 +20,7 @@ namespace {
 
 using namespace detail;
 
-constexpr double least_gain_of_source = 1e-3;  ///< that is stated
+constexpr double least_gain_of_source = 1e-3;  ///< least gain that is stated
 constexpr std::size_t most_sources = 20;
 
 Candidate present_candidate(const PreparedDesign& design) {
@@ -34,7 +34,7 @@ bool is_priced(const PreparedDesign& design) {
     return design.table && design.design.objective == DesignObjective::cost;
 }
 
-/// What is said of the chosen design: its values and rows, what each of them gains, its verification.
+/// Statements about the chosen design: its values and rows, what each of them gains, its verification.
 class ChosenDesign {
 public:
     ChosenDesign(const PreparedDesign& design, const RunControl& control, const Candidate& chosen,
@@ -77,7 +77,7 @@ private:
         }
     }
 
-    /// With every row that was kept left out, and with every other one added.
+    /// Candidates with each row that was kept left out, and with each other one added.
     std::vector<Candidate> with_one_row_changed() const {
         std::vector<Candidate> candidates;
         for (std::size_t row = 0; row < design_.table->rows.rows.size(); ++row) {
@@ -113,7 +113,7 @@ private:
         }
     }
 
-    /// With its number, from 1, where others are called the same.
+    /// Name of a row, with its number, from 1, where others are called the same.
     Message name_of_row(std::size_t row) const {
         const SetupTable& table = design_.table->rows;
         const Message words = row_words(table, row);
@@ -122,7 +122,7 @@ private:
         return words;
     }
 
-    /// By the shares of the variances in the budget. What an asset states goes by its statement; components
+    /// States sources by the shares of variance in the budget. A statement of an asset is one; components
     /// that are typed by themselves are one each.
     void state_sources(const UncertaintyResult& verified, const InputSet& inputs,
                        const References& references) {
@@ -133,7 +133,7 @@ private:
             Message origin;
             std::vector<double> of_goals;
         };
-        std::map<std::string, Shares> shares;  // by what is said in English
+        std::map<std::string, Shares> shares;  // by the English words
         std::vector<double> expanded;
         for (std::size_t k = 0; k < result_.goals.size(); ++k) {
             expanded.push_back(result_.goals[k].after);
@@ -282,7 +282,7 @@ private:
         return fail(ErrorCode::bad_input, objection);
     }
 
-    /// Where it may not be as it is, its objective is without constraints and tolerances.
+    /// Judges the present design; where it may not be as it is, without constraints and tolerances.
     void judge_present(SearchBook& book, const References& references) {
         std::vector<double> expanded;
         for (const DesignGoal& goal : result_.goals)
@@ -342,7 +342,7 @@ private:
             result_.found = found.feasible;
             if (!design_.table || !found.feasible) return;
             alternate(book);
-            // At the values that were found: the searches before looked at rows at others.
+            // The curve is for the values that were found: the searches before looked at rows at others.
             result_.curve = RowSearch(book, chosen_.values).curve(chosen_.rows);
         }
     }

@@ -1,4 +1,4 @@
-// What the searches of a design share: candidates evaluated on several threads, counted, in order.
+// Common ground of the searches of a design: candidates evaluated on several threads, counted, in order.
 #pragma once
 
 #include <atomic>
@@ -32,29 +32,29 @@ private:
     std::vector<std::unique_ptr<CandidateJudge>> idle_;
 };
 
-/// What was evaluated on one thread, for later: merged into the book in order.
+/// Notes on what was evaluated on one thread: merged into the book in order.
 struct SearchNotes {
     /// `whole`: of as many rows as may be kept; others are no steps.
     void add(const Candidate& candidate, const Judged& judged, const Message& search, bool whole);
 
     std::uint64_t evaluations = 0;
-    std::map<std::string, DesignReason> reasons;  ///< by what they say in English
+    std::map<std::string, DesignReason> reasons;  ///< reasons by what they say in English
     std::vector<DesignStep> steps;                ///< each better than the one before
 };
 
-/// Everything that one run of a design keeps beside the candidates themselves.
+/// The book of one run of a design: all that it keeps beside the candidates themselves.
 class SearchBook {
 public:
     SearchBook(const PreparedDesign& design, References references, const RunControl& control);
 
-    /// In the order of the candidates. Throws Stopped.
+    /// Judges the candidates, in their order. Throws Stopped.
     std::vector<Judged> judge_all(const std::vector<Candidate>& candidates, const Message& search);
     void merge(const SearchNotes& notes);
     /// Evaluations that are left of those allowed.
     std::uint64_t left() const;
     /// After an evaluation, on any thread: progress. False: stop.
     bool advance(const Judged& judged, bool whole);
-    /// It has as many rows as are to be kept.
+    /// Whether it has as many rows as are to be kept.
     bool is_whole(const Candidate& candidate) const;
 
     const PreparedDesign& design() const { return design_; }

@@ -82,7 +82,7 @@ private:
         return {};
     }
 
-    /// Of one quantity, all or the one of that index, as an edit of that quantity.
+    /// Scales the components of one quantity, all or the one of that index, as an edit of that quantity.
     Result<void> take_components(const std::string& symbol, double factor, std::size_t only) {
         const InputSet& inputs = design_.numbers.analysis->inputs;
         const InputQuantity& quantity = inputs.quantities[inputs.find(symbol)];
@@ -124,7 +124,7 @@ private:
                   })->setup;
         SetupTable all = table.rows;
         if (const auto found = setup.values.find(table.key); found != setup.values.end())
-            if (const auto* now = std::get_if<SetupTable>(&found->second))  // with the values taken over
+            if (const auto* now = std::get_if<SetupTable>(&found->second))  // which has the values taken over
                 std::copy(now->rows.begin(), now->rows.end(), all.rows.begin());
         SetupTable kept = all;
         kept.rows.clear();

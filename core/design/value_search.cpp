@@ -15,9 +15,9 @@ constexpr int polishings = 8;
 constexpr double polished = 1e-11;  ///< relative improvement below which a start is at its optimum
 constexpr std::size_t tried_starts = 50;
 
-/// What one start has found.
+/// Result of one start.
 struct StartResult {
-    std::vector<double> place;  ///< of the unit cube
+    std::vector<double> place;  ///< place in the unit cube
     double merit = std::numeric_limits<double>::infinity();
     bool feasible = false;
     SearchNotes notes;
@@ -32,7 +32,7 @@ std::vector<double> values_at(const std::vector<StudyAxis>& axes, const std::vec
     return values;
 }
 
-/// One start: place of the unit cube -> objective, on one thread.
+/// A start: place of the unit cube -> objective, on one thread.
 class Start {
 public:
     Start(SearchBook& book, const std::vector<std::size_t>& rows, const std::vector<double>& from,
@@ -90,7 +90,7 @@ private:
         return place;
     }
 
-    /// To the first of some that is feasible; else to the one that violates least.
+    /// Goes to the first of some random places that is feasible; else to the one that violates least.
     void random_place() {
         std::vector<double> place(variables_);
         for (std::size_t t = 0; t < tried_starts; ++t) {
@@ -203,7 +203,7 @@ private:
 
 FoundValues find_values(SearchBook& book, const std::vector<std::size_t>& rows,
                         const std::vector<double>& from) {
-    const std::size_t starts = book.design().design.starts + 1;  // and the global search
+    const std::size_t starts = book.design().design.starts + 1;  // local starts and the global search
     const std::uint64_t share = std::max<std::uint64_t>(1, book.left() / starts);
     FoundValues found;
     double best = std::numeric_limits<double>::infinity();

@@ -12,7 +12,8 @@ struct FoundValues {
     bool feasible = false;
 };
 
-/// With these rows, which mean nothing without a table; the first start is at `from`. Throws Stopped.
+/// Finds values for these rows, which mean nothing without a table; the first start is at `from`. Throws
+/// Stopped.
 FoundValues find_values(SearchBook& book, const std::vector<std::size_t>& rows,
                         const std::vector<double>& from);
 

@@ -46,7 +46,7 @@ void warn_without_uncertainty(const InputSet& inputs, Problems& problems) {
                                      "the uncertainties of what the analysis uses">());
 }
 
-// How many trials an adaptive run needs, in words; a run that would end at its cap is warned of.
+// Words for the trials that an adaptive run needs; a run that would end at its cap is warned of.
 Message forecast_trials(const PropagatedModel& model, const EvaluationOptions& options, Problems& problems) {
     if (options.method != Method::adaptive || !model.propagation()) return {};
     const auto forecast = forecast_adaptive(*model.model(), *model.propagation(), options);

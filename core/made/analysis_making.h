@@ -15,10 +15,10 @@ struct AnalysisBefore {
     const AnalysisEntry* entry = nullptr;  ///< null: it was not there
     std::shared_ptr<const MadeAnalysis> made = {};
     bool uses_keep_numbers = false;  ///< what it refers to has other names at most
-    bool assets_stay = false;        ///< all of the project
+    bool assets_stay = false;        ///< all assets of the project
 };
 
-/// In two steps: first all analyses by themselves, then their chains.
+/// Making of an analysis in two steps: first all analyses by themselves, then their chains.
 class AnalysisMaking {
 public:
     /// `counts` is added to.
@@ -26,7 +26,7 @@ public:
                    MakingCounts& counts);
     /// `uses` and their assets; what is returned is not finished yet.
     std::shared_ptr<const MadeAnalysis> make_own(making::Uses uses, AssetLibrary assets);
-    /// All analyses of the project are made by themselves.
+    /// Makes the chain, when all analyses of the project are made by themselves.
     void finish();
 
 private:
@@ -45,7 +45,7 @@ private:
     void check_studies();
 
     const MadeProject& project_;
-    const std::size_t number_;  ///< in the graph
+    const std::size_t number_;  ///< number in the graph
     const AnalysisEntry& entry_;
     const std::vector<EntryReference>& references_;
     const ModelDescriptor* descriptor_;  ///< null: unknown model

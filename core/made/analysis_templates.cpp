@@ -18,7 +18,7 @@ namespace covaria {
 
 namespace {
 
-using Ids = std::map<std::string, std::string>;  ///< of the template -> of the project
+using Ids = std::map<std::string, std::string>;  ///< id in the template -> id in the project
 
 void refer_anew(const SetupSchema& schema, Setup& setup, const Ids& ids) {
     const auto anew = [&](std::string& id) {
@@ -39,7 +39,7 @@ void refer_anew(const SetupSchema& schema, Setup& setup, const Ids& ids) {
     }
 }
 
-/// What a set-up of several sorts says it is: a tracker is no camera.
+/// Sort of an asset, for kinds of several sorts: a tracker is no camera.
 std::string sort_of(const AssetEntry& asset) {
     const AssetDescriptor* kind = find_asset_kind(asset.kind);
     const FieldSpec* field = kind ? kind->schema.find("kind") : nullptr;
@@ -50,7 +50,7 @@ std::string sort_of(const AssetEntry& asset) {
 /// An asset of the project in the place of one of the template.
 struct StandIn {
     std::string id;
-    bool is_moved = false;  ///< it stands where the template's does
+    bool is_moved = false;  ///< it is put where the template's asset stands
 };
 using StandIns = std::map<std::string, StandIn>;  ///< by the template's asset
 
@@ -65,7 +65,7 @@ std::vector<const FieldSpec*> placing_fields(const SetupSchema& schema) {
     return placing;
 }
 
-/// It was given no place, as what comes from the library: nobody minds if it gets one.
+/// Whether the asset was given no place, as those from the library: nobody minds if it gets one.
 bool stands_nowhere(const Project& project, const AssetEntry& asset) {
     const AssetDescriptor* kind = find_asset_kind(asset.kind);
     if (!kind) return false;
@@ -133,7 +133,7 @@ private:
         return name;
     }
 
-    /// What a set-up refers to: an asset where there is one with the id, else an analysis.
+    /// Adds what a set-up refers to: an asset where there is one with the id, else an analysis.
     void add(const std::string& id) {
         if (ids_.contains(id)) return;
         if (const AssetEntry* asset = part_.find_asset(id))
@@ -180,7 +180,7 @@ private:
     Project merged_;
     const Project& part_;
     StandIns stand_ins_;
-    Ids ids_;       ///< of what set-ups refer to
+    Ids ids_;       ///< ids that set-ups refer to
     Ids analyses_;  ///< an asset may have the same id
     std::set<std::string> taken_;
 };
@@ -193,10 +193,10 @@ bool has_value(const Project& project, const std::string& analysis, const MadePr
     return result && *result;
 }
 
-/// Which assets of the project stand in the place of the template's: all of the same sort, one for one, where
-/// the analysis then has a value; else one after the other each with which it has one. Where none has one,
-/// one stands there all the same: an analysis that uses another robot than the project's looks right and is
-/// not, one that says what the project's robot lacks can be mended.
+/// Search for the assets of the project that stand in for the template's: all of the same sort, one for one,
+/// where the analysis then has a value; else one by one each with which it has one. Where none has one, one
+/// stands there all the same: an analysis that uses another robot than the project's looks right and is not,
+/// one that says what the project's robot lacks can be mended.
 class StandInSearch {
 public:
     StandInSearch(const Project& project, const Project& part)
@@ -211,7 +211,7 @@ public:
                 }
         if (chosen_.empty() || works(chosen_)) return chosen_;
         chosen_.clear();
-        // What refers to others first: with it, those are not needed.
+        // Assets that refer to others come first: with them, those are not needed.
         for (auto asset = part_.assets.rbegin(); asset != part_.assets.rend(); ++asset) choose_for(*asset);
         for (auto asset = part_.assets.rbegin(); asset != part_.assets.rend(); ++asset)
             if (!chosen_.contains(asset->id) && comes_with_the_analysis(asset->id)) take_any_for(*asset);
@@ -246,7 +246,7 @@ private:
             }
     }
 
-    /// What stand-ins refer to is not needed.
+    /// Whether the asset comes with the analysis; those that stand-ins refer to do not.
     bool comes_with_the_analysis(const std::string& id) const {
         return TemplateMerge(project_, part_, chosen_).merge_and_name_assets().contains(id);
     }
@@ -262,7 +262,7 @@ private:
     StandIns chosen_;
 };
 
-/// With other ids than the project's, where designs and studies name them.
+/// Whether the project has the same ids, so that others would be needed where designs and studies name them.
 bool has_same_ids(const Project& project, const Project& part) {
     const auto in_project = [&](const auto& entry) {
         return project.find_asset(entry.id) || project.find_analysis(entry.id);

@@ -1,4 +1,4 @@
-// What a new analysis begins as: an analysis of a shipped example with all it uses, so that it has results at
+// Templates of a new analysis: an analysis of a shipped example with all it uses, so that it has results at
 // once.
 #pragma once
 
@@ -12,19 +12,19 @@
 namespace covaria {
 
 struct AnalysisTemplate {
-    /// What one wants to know.
+    /// The subject of the question.
     enum class Topic { equation, points, pose, robot } topic = Topic::equation;
     std::string title;     ///< "Pose of a robot's flange from a laser tracker"
-    std::string question;  ///< what it answers
+    std::string question;  ///< question that it answers
     std::string
         example;  ///< file of the example, without its ending, in the folder of examples: "gum/h1-end-gauge"
     std::string analysis;       ///< id in the example
     bool with_designs = false;  ///< its studies and designs are what it is about
 };
 
-/// By what is asked; all models have at least one.
+/// All templates by what is asked; each model has at least one.
 const std::vector<AnalysisTemplate>& analysis_templates();
-/// The first of the model; null: none is shipped.
+/// The first template of the model; null: none is shipped.
 const AnalysisTemplate* template_of(const std::string& model);
 
 /// The analysis under the template's title, in the language of its reader, with the assets and analyses that
@@ -32,11 +32,11 @@ const AnalysisTemplate* template_of(const std::string& model);
 /// such analysis.
 Result<Project> template_project(const AnalysisTemplate& wanted, const DocumentLanguage& in = {});
 
-/// `project` with the template's analysis at the end. In place of the template's assets stand those of the
-/// project of the same kind, one for one; those with which the analysis has a value before others, but also
-/// where it has none: what is wrong with them is then said of it. One that nothing uses and that was given no
-/// place takes that of the template's, where it has a value only from there. What the project has none of
-/// comes with the analysis. Designs and studies name assets: with them nothing is put in another's place.
+/// Adds the template's analysis to `project`, at the end. In place of the template's assets stand those of
+/// the project of the same kind, one for one; those with which the analysis has a value before others, but
+/// also where it has none: what is wrong is then said of them. One that nothing uses and that has no place
+/// takes that of the template's, where it has a value only from there. Assets that the project lacks come
+/// with the analysis. Designs and studies name assets: with them nothing is put in another's place.
 /// Gives the id of the analysis.
 Result<std::string> add_template(Project& project, const AnalysisTemplate& wanted,
                                  const DocumentLanguage& in = {});

@@ -20,7 +20,7 @@ bool is_unnamed(const OutputQuantity& output) {
            (output.name.empty() || output.name == Message(output.symbol));
 }
 
-/// Each once, whatever its groups.
+/// Symbols of the outputs without a name, each once, whatever its groups.
 std::vector<std::string> unnamed_symbols(const std::vector<OutputQuantity>& outputs) {
     std::vector<std::string> symbols;
     for (const OutputQuantity& output : outputs)

@@ -1,4 +1,4 @@
-// What a certificate of a project must state and does not: texts, and the names of its measurands, which only
+// Gaps of a certificate: texts that it must state and does not, and the names of its measurands, which only
 // the made project knows.
 #pragma once
 
@@ -10,27 +10,27 @@
 namespace covaria {
 
 struct CertificateGap {
-    std::string path;    ///< from the root of the project
+    std::string path;    ///< path from the root of the project
     Message what;        ///< "Customer", "Name of the measurand Y of End gauge"
-    const char* clause;  ///< of ISO/IEC 17025:2017
+    const char* clause;  ///< clause of ISO/IEC 17025:2017
 };
 
 /// Analyses whose results a certificate states, by id.
 using CertifiedIds = std::vector<std::string>;
-/// Those that the project does not leave out of its documents.
+/// Ids of the analyses that the project does not leave out of its documents.
 CertifiedIds certified_ids(const Project& project);
 
-/// Whether one of them has a tolerance.
+/// Whether one of the analyses has a tolerance.
 Conformity stated_conformity(const Project& project, const CertifiedIds& ids);
 
-/// All of them: texts in the order of their form, then for each analysis the results that are called by their
+/// All gaps: texts in the order of their form, then for each analysis the results that are called by their
 /// symbols alone.
 std::vector<CertificateGap> certificate_gaps(const MadeProject& made, const CertifiedIds& ids);
-/// An error for each.
+/// Errors, one for each gap.
 Problems missing_in(const MadeProject& made, const CertifiedIds& ids);
 
-/// That a certificate under an accreditation states U for: about 95 % (ILAC-P14 5.3), which 95.45 % of k = 2
-/// is.
+/// Whether a certificate under an accreditation may state U for it: about 95 % (ILAC-P14 5.3), which 95.45 %
+/// of k = 2 is.
 bool is_accredited_probability(double probability);
 /// A warning where an analysis of an accredited certificate states U for another one: at the options that say
 /// so, by the normal distribution where k is fixed.

@@ -15,14 +15,14 @@ namespace covaria {
 
 /// Earlier results of an analysis beside those of now.
 struct ResultsBefore {
-    Message words;  ///< where they come from: kept ones, another analysis, a file
+    Message words;  ///< source: kept results, another analysis, a file
     ResultComparison comparison;
 };
 
 struct EvaluatedAnalysis {
     std::shared_ptr<const PreparedAnalysis> analysis;
     std::shared_ptr<const UncertaintyResult> result;
-    std::vector<Message> warnings = {};  ///< of its assets and of its model: `warnings_of`
+    std::vector<Message> warnings = {};  ///< warnings of its assets and of its model: `warnings_of`
     std::vector<std::shared_ptr<const StudyResult>> studies = {};
     std::vector<std::shared_ptr<const DesignResult>> designs = {};
     std::shared_ptr<const ResultsBefore> before = {};  ///< null: its report compares with nothing

@@ -10,7 +10,7 @@
 namespace covaria {
 namespace {
 
-/// Of the first line; the full stop after an initial ("M. C. Porath") ends nothing.
+/// First sentence of the first line; the full stop after an initial ("M. C. Porath") ends nothing.
 std::string first_sentence(const std::string& text) {
     const std::string line = text.substr(0, text.find('\n'));
     const auto is_letter = [&](std::size_t at) {

@@ -15,8 +15,8 @@ struct Example {
     std::filesystem::path picture;  ///< may be missing
 };
 
-/// By their files' names: of the folder of examples, or of one in it ("gum"). Those that cannot be read are
-/// left out.
+/// Examples by their files' names: in the folder of examples, or in one in it ("gum"). Those that cannot be
+/// read are left out.
 std::vector<Example> shipped_examples(const std::string& subfolder = {});
 
 }  // namespace covaria

@@ -14,7 +14,7 @@ namespace covaria {
 
 namespace {
 
-// What two digits of a stated uncertainty leave open; of a value, a tenth of its u.
+// Shares that two digits of a stated uncertainty leave open; of a value, a tenth of its u.
 constexpr double far_share = 0.05, far_of_u = 0.1;
 
 std::string after_number(const Unit& unit) {
@@ -25,7 +25,7 @@ std::string in_unit(double value, const Unit& unit, int digits) {
     return format_significant(value, digits) + after_number(unit);
 }
 
-/// As it was written.
+/// Number with unit as it was written.
 std::string stated_in(double value, const Unit& unit) {
     return shortest_number(value) + after_number(unit);
 }

@@ -11,7 +11,7 @@ namespace covaria {
 /// Each stated value, u and U beside that of the analysis that is proposed, and how far they are apart.
 std::vector<Message> held_against_outcomes(const Proposals& proposals);
 
-/// What the reader proposes; `found` ends with how it was held. Nothing is thrown.
+/// The proposals of the reader; `found` ends with how they were held. Nothing is thrown.
 Result<Proposals> read_proposals(const Reader& reader, const std::string& text, const ReadChoice& choice);
 
 }  // namespace covaria

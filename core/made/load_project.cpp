@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Places where something was not readable. What lies at, above or below them is not reported a second time.
+// Places of what was not readable. Problems at, above or below them are not reported a second time.
 class UnreadPlaces {
 public:
     explicit UnreadPlaces(const Problems& read) {
@@ -33,7 +33,7 @@ private:
     std::set<std::string> places_;
 };
 
-// What was not readable (a field, a cell of it) is not reported a second time as missing.
+// Adds the problems of checks; a field or cell that was not readable is not reported as missing too.
 void add_checks(const MadeProject& made, Problems& problems) {
     const UnreadPlaces unread(problems);
     const Problems checks = made.problems();

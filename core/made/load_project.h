@@ -13,8 +13,8 @@ namespace covaria {
 
 struct LoadedProject {
     Project project;            ///< meaningful only if `problems` has no errors
-    Problems problems;          ///< with JSON path, file and line where known
-    MadeProject::Pointer made;  ///< of `project`; null where there is no project at all
+    Problems problems;          ///< have JSON path, file and line where known
+    MadeProject::Pointer made;  ///< made of `project`; null where there is no project at all
     /// The project is all that the file says: errors, if any, are of what it is made into (a value that is
     /// missing, an asset that is gone), as they are in work that goes on.
     bool is_whole = false;

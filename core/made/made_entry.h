@@ -1,4 +1,4 @@
-// What an asset or an analysis of a project was made into.
+// Result of making an asset or an analysis of a project.
 #pragma once
 
 #include <memory>
@@ -14,20 +14,20 @@ namespace covaria {
 /// Immutable; later states of the project take it over while it stays what it is.
 struct MadeEntry {
     virtual ~MadeEntry() = default;
-    /// For each reference of the entry (EntryGraph::references): what it refers to; null: nothing, or it is
+    /// Entries that each reference of the entry (EntryGraph::references) means; null: none, or it is
     /// refused because it refers back.
     std::vector<std::shared_ptr<const MadeEntry>> uses = {};
-    /// That it uses, directly or through others, and itself if it is one; those with errors are left out.
+    /// Assets that it uses, directly or through others, and itself if it is one; not those with errors.
     AssetLibrary assets = {};
     Problems problems = {};  ///< paths relative to the entry: "/setup/points/rows/2/x"
 };
 
 struct MadeAsset : MadeEntry {
     AssetLibrary::Entry made = {};  ///< its asset is null after an error
-    std::string files = {};         ///< which files its set-up names, and their state when it was made
+    std::string files = {};         ///< files that its set-up names, and their state when it was made
 };
 
-/// What a chain of analyses is made of: an analysis that another one takes something from.
+/// An analysis that another one takes something from: a part of a chain.
 struct UsedAnalysis {
     std::string id, name;
     std::vector<InputLink> links;
@@ -41,12 +41,12 @@ struct UsedAnalysis {
 /// requirements.
 struct MadeAnalysis : MadeEntry {
     std::string name = {};
-    // By itself, without what it takes from other analyses.
+    // The analysis by itself, without what it takes from other analyses.
     std::shared_ptr<const MeasurementModel> model = {};  ///< null after an error
     Problems of_model = {};                              ///< relative to the set-up
-    std::shared_ptr<const InputSet> inputs = {};         ///< with edits applied; null after an exception
+    std::shared_ptr<const InputSet> inputs = {};         ///< have edits applied; null after an exception
     Problems of_edits = {};
-    EvaluationOptions options = {};  ///< with what the project states for all
+    EvaluationOptions options = {};  ///< include what the project states for all
     ResultStyle style = {};
     Problems of_own = {};  ///< both, and an unknown model; relative to the analysis
     // Behind the analyses that it takes inputs from; for one without links, itself.

@@ -12,7 +12,7 @@
 
 namespace covaria {
 
-/// How much there was to do.
+/// Count of what there was to do.
 struct MakingCounts {
     std::size_t assets = 0, models = 0, inputs = 0;  ///< made anew
     std::size_t taken = 0;                           ///< entries taken over as they were: assets and models
@@ -31,7 +31,7 @@ public:
     const Project& project() const { return *project_; }
     const std::shared_ptr<const Project>& snapshot() const { return project_; }
     const EntryGraph& graph() const { return graph_; }
-    /// Those without errors.
+    /// The assets without errors.
     const AssetLibrary& assets() const { return assets_; }
     /// Null: it has errors, or there is none.
     std::shared_ptr<const PreparedAnalysis> analysis(const std::string& id) const;
@@ -40,11 +40,11 @@ public:
     /// Ids of the assets that the analysis uses, directly or through others, in the order of the project.
     std::vector<std::string> assets_used_by(const std::string& analysis) const;
 
-    /// Everything that is wrong, with paths from the root of the project.
+    /// All problems, with paths from the root of the project.
     Problems problems() const;
-    /// Of one analysis without its studies and designs; an error that names it where there is none.
+    /// Problems of one analysis without its studies and designs; an error that names it where there is none.
     Problems problems_of_analysis(const std::string& id) const;
-    /// All that is to be said beside the results of an analysis: warnings of the assets that it uses ("asset
+    /// Warnings to be shown beside the results of an analysis: those of the assets that it uses ("asset
     /// ID: ..."), then its own.
     std::vector<Message> warnings_of(const std::string& analysis) const;
     const MakingCounts& counts() const { return counts_; }
@@ -59,7 +59,7 @@ private:
 
     std::shared_ptr<const Project> project_;
     EntryGraph graph_;
-    std::vector<std::shared_ptr<const MadeEntry>> entries_;  ///< by the numbers of the graph
+    std::vector<std::shared_ptr<const MadeEntry>> entries_;  ///< entries by the numbers of the graph
     AssetLibrary assets_;
     MakingCounts counts_;
 };

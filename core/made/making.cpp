@@ -30,7 +30,7 @@ bool fits(const std::vector<std::string>& offered, const std::vector<std::string
            std::find_first_of(offered.begin(), offered.end(), wanted.begin(), wanted.end()) != offered.end();
 }
 
-// For an analysis its model stands, with its edits: the rest of it influences nobody else.
+// Whether an entry is as before: of an analysis the model with its edits, as the rest influences nobody else.
 bool is_same(const std::shared_ptr<const MadeEntry>& use, const std::shared_ptr<const MadeEntry>& before) {
     if (!use || use == before) return use != nullptr;
     const auto* now = dynamic_cast<const MadeAnalysis*>(use.get());

@@ -1,4 +1,4 @@
-// What making assets and making analyses share; internal to core/made.
+// Common ground of making assets and making analyses; internal to core/made.
 #pragma once
 
 #include <memory>
@@ -13,7 +13,7 @@ namespace covaria::making {
 
 using Uses = std::vector<std::shared_ptr<const MadeEntry>>;
 
-/// They are the same as before. What is missing may have other words now: it never stays.
+/// Whether they are the same as before. A missing one may have other words now: it never stays.
 bool stay(const Uses& uses, const Uses& before);
 
 /// Adds references that lead back to the entry, with their way, to the problems of its set-up.
@@ -23,7 +23,7 @@ void refuse_circles(const Project& project, const std::vector<EntryReference>& r
 void check_uses(const Project& project, const std::vector<EntryReference>& references, const Uses& uses,
                 Problems& problems);
 
-/// What `make` returns; an exception is a problem of the set-up that it was made of.
+/// The result of `make`; an exception is a problem of the set-up that it was made of.
 template <class Make>
 auto made_or_problem(const std::string& path, Problems& problems, Make&& make) {
     auto made = guarded(make);

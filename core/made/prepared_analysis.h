@@ -1,4 +1,4 @@
-// One analysis of a made project, ready to be evaluated.
+// An analysis of a made project, ready to be evaluated.
 #pragma once
 
 #include <memory>
@@ -18,7 +18,7 @@
 
 namespace covaria {
 
-/// What influences the numbers of an analysis: itself, the assets and the analyses that it uses.
+/// Everything that influences the numbers of an analysis: itself, the assets and analyses that it uses.
 class AnalysisNumbers {
 public:
     AnalysisNumbers(std::shared_ptr<const Project> project, std::string analysis);
@@ -40,18 +40,18 @@ struct PreparedAnalysis {
     std::string id;
     std::string name;
     const ModelDescriptor* descriptor;
-    AssetLibrary assets;  ///< that it uses; kept alive for the model, which may refer to them
+    AssetLibrary assets;  ///< assets that it uses; kept alive for the model, which may refer to them
     std::shared_ptr<const PropagatedModel> propagated;
     std::shared_ptr<const MeasurementModel> model;
     const InputSet& inputs;                ///< the model's, with the analysis' edits and correlations applied
     std::vector<LinkedInput> linked = {};  ///< inputs taken from other analyses: they are not in `inputs`
-    std::vector<LinkedPoint> linked_points = {};  ///< of them, those that are a point of the layout
+    std::vector<LinkedPoint> linked_points = {};  ///< those of them that are a point of the layout
     EvaluationOptions options;
-    ResultStyle style = {};  ///< that the project states
+    ResultStyle style = {};  ///< style that the project states
     std::shared_ptr<const AnalysisNumbers> numbers;
     Message forecast = {};  ///< how many trials an adaptive run needs, in words; empty for other methods
 
-    /// Of everything that influences this analysis' numbers (its assets included).
+    /// Fingerprint of everything that influences this analysis' numbers (its assets included).
     const std::string& fingerprint() const { return numbers->fingerprint(); }
 };
 

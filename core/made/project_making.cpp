@@ -74,7 +74,7 @@ MadeProject::Pointer ProjectMaking::make() {
     for (const std::size_t entry : made_->graph_.order())
         entry < assets ? make_asset(entry) : make_analysis(entry - assets);
     for (AnalysisMaking& analysis : analyses_) analysis.finish();
-    for (std::size_t i = assets; i-- > 0;) {  // of several with one id the first counts
+    for (std::size_t i = assets; i-- > 0;) {  // the first of several with one id counts
         const auto& made = static_cast<const MadeAsset&>(*made_->entries_[i]).made;
         if (made.asset) made_->assets_.add(made_->project().assets[i].id, made);
     }

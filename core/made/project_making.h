@@ -25,9 +25,9 @@ private:
 
     std::shared_ptr<MadeProject> made_;
     const MadeProject* before_;                                           ///< may be null
-    std::map<std::string, std::size_t> assets_before_, analyses_before_;  ///< by id
+    std::map<std::string, std::size_t> assets_before_, analyses_before_;  ///< indices by id
     bool all_assets_stay_ = false;
-    /// Of assets: as before but for names, with what they refer to. Of analyses this is not kept: false.
+    /// Whether each asset, with what it refers to, is as before but for names. False for analyses.
     std::vector<bool> keeps_numbers_;
     std::vector<AnalysisMaking> analyses_;  ///< made by themselves, their chains not yet
 };

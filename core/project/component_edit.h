@@ -15,13 +15,13 @@ Result<Distribution> distribution_of(const ComponentEdit& edit);
 /// What Monte Carlo draws for it, as for a component with its degrees of freedom (core/quantity). Errors
 /// likewise.
 Result<Distribution> drawn_distribution(const ComponentEdit& edit, bool normal_draws);
-/// Of its standard uncertainty: those stated, else those of its distribution.
+/// Degrees of freedom of its standard uncertainty: those stated, else those of its distribution.
 double degrees_of_freedom_of(const ComponentEdit& edit, const Distribution& distribution);
 /// Puts kind and parameters of `distribution` (SI) into the edit, in its unit.
 void set_distribution(ComponentEdit& edit, const Distribution& distribution);
 /// The same component with its parameters in another unit of the same dimension.
 ComponentEdit in_unit(ComponentEdit edit, const Unit& unit);
-/// What an edit would have to say to give this component.
+/// The edit that would give this component.
 ComponentEdit to_edit(const UncertaintyComponent& component,
                       const DocumentLanguage& in = DocumentLanguage::english());
 

@@ -22,7 +22,7 @@ public:
         this->key(key);
         text(value);
     }
-    /// Of the next value, inside an object.
+    /// Writes the key of the next value, inside an object.
     void key(std::string_view key);
 
     /// Infinity is written as null; a value that is not a number too, and makes `has_unwritable` true.

@@ -21,7 +21,7 @@ struct KeptState {
     /// in `project`, and what people call it ("hall.covaria: Points by two trackers"). Empty: it is this
     /// one's.
     std::string other = {}, other_name = {};
-    /// Of the analysis in `project` whose results are compared with.
+    /// Id of the analysis in `project` whose results are compared with.
     const std::string& compared() const { return other.empty() ? analysis : other; }
     bool operator==(const KeptState& with) const;
 };
@@ -33,7 +33,7 @@ KeptState state_of_other(const Project& project, const std::string& other, const
                          const std::string& analysis, const std::string& at);
 /// Null: nothing is kept of the analysis.
 const KeptState* find_kept(const std::vector<KeptState>& kept, const std::string& analysis);
-/// In place of what was kept of its analysis before.
+/// Puts a state in place of what was kept of its analysis before.
 void put_kept(std::vector<KeptState>& kept, KeptState state);
 void discard_kept(std::vector<KeptState>& kept, const std::string& analysis);
 

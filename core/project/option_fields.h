@@ -42,7 +42,7 @@ struct OptionField {
     bool none_at_zero = false;         ///< 0: not asked for; forms say nothing then
 };
 
-/// In the order of files and forms.
+/// All options in the order of files and forms.
 const std::vector<OptionField>& option_fields();
 
 inline constexpr double largest_whole_number = 9007199254740992.0;  ///< 2^53: beyond, doubles skip some

@@ -40,7 +40,7 @@ inline bool is_number(const RequirementField& field) {
     return std::holds_alternative<double Requirement::*>(field.member);
 }
 
-/// In the order of the project file.
+/// All fields in the order of the project file.
 const std::array<RequirementField, 8>& requirement_fields();
 
 /// A requirement in project files: the output that it is for, and its figures.

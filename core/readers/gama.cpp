@@ -233,7 +233,7 @@ private:
         return matrix ? read_covariance(matrix, places) : Result<void>();
     }
 
-    /// In mm².
+    /// Reads a covariance matrix in mm².
     Result<void> read_covariance(const pugi::xml_node& node, const std::vector<std::size_t>& places) {
         if (places.size() > most_stated_quantities) {
             proposals_.leave_out(xml_.line(node), tell<"a covariance matrix of more than %1 coordinates">(
@@ -325,7 +325,7 @@ private:
         return {};
     }
 
-    /// In mm², coordinates first, then what orients the directions.
+    /// Reads the matrix in mm², coordinates first, then what orients the directions.
     Result<void> read_matrix(const pugi::xml_node& node) {
         const auto dim = number_in_text(text_of_child(node, "dim")),
                    band = number_in_text(text_of_child(node, "band"));

@@ -35,7 +35,7 @@ void add_budgets(Blocks& blocks, const EvaluatedAnalysis& evaluated, const Docum
 void add_results(Blocks& blocks, const ReportSource& source, const EvaluatedAnalysis& evaluated);
 /// Target uncertainties, conformity; nothing without requirements.
 void add_requirements(Blocks& blocks, const ReportSource& source, const EvaluatedAnalysis& evaluated);
-/// Nothing where they were not asked for.
+/// Adds the Sobol indices; nothing where they were not asked for.
 void add_sobol(Blocks& blocks, const EvaluatedAnalysis& evaluated, const DocumentLanguage& in);
 /// What remains with everything of one contributor held, and what it gives alone; nothing with fewer than
 /// two.
@@ -43,7 +43,7 @@ void add_contributors(Blocks& blocks, const EvaluatedAnalysis& evaluated, const 
 /// What the model says about its set-up beside the outputs.
 void add_model_evaluation(Blocks& blocks, const EvaluatedAnalysis& evaluated, const DocumentLanguage& in);
 void add_comparison(Blocks& blocks, const EvaluatedAnalysis& evaluated, const DocumentLanguage& in);
-/// Nothing without earlier results.
+/// Adds the earlier results; nothing without any.
 void add_before(Blocks& blocks, const EvaluatedAnalysis& evaluated, const DocumentLanguage& in);
 void add_regions(Blocks& blocks, const EvaluatedAnalysis& evaluated, const DocumentLanguage& in);
 void add_distributions(Blocks& blocks, const EvaluatedAnalysis& evaluated, const DocumentLanguage& in);

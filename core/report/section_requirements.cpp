@@ -190,7 +190,7 @@ void add_conformity_row(TableBuilder& table, const RequirementResult& r, const O
                number(r.capability_index)});
 }
 
-/// Nothing without tolerances.
+/// Table of conformity; nothing without tolerances.
 std::optional<TableBlock> conformity_table(const Verdicts& verdicts, const EvaluatedAnalysis& evaluated,
                                            const Message& title, const DocumentLanguage& in) {
     if (std::none_of(verdicts.begin(), verdicts.end(), has_tolerance)) return std::nullopt;

@@ -73,7 +73,7 @@ void add_run_words(Blocks& blocks, const UncertaintyResult& result, const Docume
     blocks.push_back(ParagraphBlock{words});
 }
 
-/// Nothing where they were not asked for.
+/// Adds the second-order uncertainties; nothing where they were not asked for.
 void add_second_order(Blocks& blocks, const EvaluatedAnalysis& evaluated, const DocumentLanguage& in) {
     const UncertaintyResult& result = *evaluated.result;
     std::vector<std::size_t> outputs;

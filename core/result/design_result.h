@@ -66,7 +66,7 @@ struct DesignGoal {
     std::optional<bool> validated{};      ///< JCGM 101 clause 8
     bool is_close = false;                ///< other trials could give the other verdict on that
     std::optional<double>
-        price_of_target{};  ///< what the target costs in reductions, per SI unit less of it
+        price_of_target{};  ///< by reductions: what the target costs, per SI unit less of it
     /// Whether the target is met; where clause 8 does not validate first order, also by Monte Carlo.
     bool met() const;
 };
