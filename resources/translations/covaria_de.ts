@@ -15182,1699 +15182,1699 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     </message>
     <message>
         <source>Geometry from points</source>
-        <translation type="unfinished"></translation>
+        <translation>Geometrie aus Punkten</translation>
     </message>
     <message>
         <source>Lines, planes, circles, spheres, cylinders and cones through measured points by orthogonal least squares: place, direction, diameter and form deviation with the full covariance of the points.</source>
-        <translation type="unfinished"></translation>
+        <translation>Geraden, Ebenen, Kreise, Kugeln, Zylinder und Kegel durch gemessene Punkte mit orthogonalen kleinsten Quadraten: Ort, Richtung, Durchmesser und Formabweichung mit der vollen Kovarianz der Punkte.</translation>
     </message>
     <message>
         <source>Points weigh alike, whatever their uncertainty, as in least-squares features of coordinate measurement; their covariance goes into the uncertainty of the results.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Punkte haben gleiches Gewicht, wie groß auch ihre Unsicherheit ist, wie bei Geometrieelementen nach kleinsten Quadraten in der Koordinatenmesstechnik; ihre Kovarianz geht in die Unsicherheit der Ergebnisse ein.</translation>
     </message>
     <message>
         <source>A circle in space is fitted in two steps, as NIST&apos;s: the plane by all points, then the circle by the points projected onto it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Kreis im Raum wird wie beim NIST in zwei Schritten angepasst: die Ebene durch alle Punkte, dann der Kreis durch die auf sie projizierten Punkte.</translation>
     </message>
     <message>
         <source>The direction has its largest component positive; that of a cone leads from the apex into it. &quot;Reversed&quot; turns it. Trials keep the sign of the estimates.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die größte Komponente der Richtung ist positiv; die Richtung eines Kegels führt vom Scheitel in ihn hinein. „Umgekehrt“ dreht sie um. Versuche behalten das Vorzeichen der Schätzwerte.</translation>
     </message>
     <message>
         <source>The place of a plane or line is the mean of the points; of a cylinder or cone it is the point of the axis next to that mean, so the uncertainty along the axis is that of the mean.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Ort einer Ebene oder Geraden ist der Mittelwert der Punkte; bei einem Zylinder oder Kegel ist es der Punkt der Achse, der diesem Mittelwert am nächsten liegt; die Unsicherheit entlang der Achse ist daher die des Mittelwerts.</translation>
     </message>
     <message>
         <source>Every trial of a Monte Carlo run fits its points anew. Form deviations of trials are larger than that of the points as measured, for uncertainty adds to what is form.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jeder Versuch eines Monte-Carlo-Laufs passt seine Punkte neu an. Formabweichungen der Versuche sind größer als die der Punkte wie gemessen, denn die Unsicherheit kommt zur Form hinzu.</translation>
     </message>
     <message>
         <source>Features</source>
-        <translation type="unfinished"></translation>
+        <translation>Elemente</translation>
     </message>
     <message>
         <source>Forms that are fitted to points by orthogonal least squares.</source>
-        <translation type="unfinished"></translation>
+        <translation>Formen, die mit orthogonalen kleinsten Quadraten an Punkte angepasst werden.</translation>
     </message>
     <message>
         <source>Name of the feature, unique.</source>
-        <translation type="unfinished"></translation>
+        <translation>Name des Elements, eindeutig.</translation>
     </message>
     <message>
         <source>form</source>
-        <translation type="unfinished"></translation>
+        <translation>Form</translation>
     </message>
     <message>
         <source>What is fitted to its points. In the xy-plane z does not matter.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was an seine Punkte angepasst wird. In der xy-Ebene spielt z keine Rolle.</translation>
     </message>
     <message>
         <source>line</source>
-        <translation type="unfinished"></translation>
+        <translation>Gerade</translation>
     </message>
     <message>
         <source>circle</source>
-        <translation type="unfinished"></translation>
+        <translation>Kreis</translation>
     </message>
     <message>
         <source>sphere</source>
-        <translation type="unfinished"></translation>
+        <translation>Kugel</translation>
     </message>
     <message>
         <source>cylinder</source>
-        <translation type="unfinished"></translation>
+        <translation>Zylinder</translation>
     </message>
     <message>
         <source>cone</source>
-        <translation type="unfinished"></translation>
+        <translation>Kegel</translation>
     </message>
     <message>
         <source>line in the xy-plane</source>
-        <translation type="unfinished"></translation>
+        <translation>Gerade in der xy-Ebene</translation>
     </message>
     <message>
         <source>circle in the xy-plane</source>
-        <translation type="unfinished"></translation>
+        <translation>Kreis in der xy-Ebene</translation>
     </message>
     <message>
         <source>reversed</source>
-        <translation type="unfinished"></translation>
+        <translation>umgekehrt</translation>
     </message>
     <message>
         <source>The direction is stated with the other sign: the largest component of the direction is negative, that of a cone leads to its apex.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Richtung wird mit dem anderen Vorzeichen angegeben: Die größte Komponente der Richtung ist negativ, die eines Kegels führt zu seinem Scheitel.</translation>
     </message>
     <message>
         <source>Form deviations</source>
-        <translation type="unfinished"></translation>
+        <translation>Formabweichungen</translation>
     </message>
     <message>
         <source>Peak to valley and root mean square of the points&apos; deviations from their feature are results too.</source>
-        <translation type="unfinished"></translation>
+        <translation>Spitze-Tal-Wert und quadratischer Mittelwert der Abweichungen der Punkte von ihrem Element sind ebenfalls Ergebnisse.</translation>
     </message>
     <message>
         <source>Measured points of the features, typed, pasted or from a CSV file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gemessene Punkte der Elemente, eingegeben, eingefügt oder aus einer CSV-Datei.</translation>
     </message>
     <message>
         <source>feature</source>
-        <translation type="unfinished"></translation>
+        <translation>Element</translation>
     </message>
     <message>
         <source>The feature that it is a point of; empty: that of the row above, of the first row the first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Element, zu dem der Punkt gehört; leer: das der Zeile darüber, in der ersten Zeile das erste.</translation>
     </message>
     <message>
         <source>Name of the point, unique in its feature; empty: its number. Of points that an analysis measured the name there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Name des Punktes, eindeutig in seinem Element; leer: seine Nummer. Bei Punkten, die eine Analyse gemessen hat, der Name dort.</translation>
     </message>
     <message>
         <source>Measured coordinate x; empty where the point is a feature of an analysis, and z in the xy-plane.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gemessene Koordinate x; leer, wo der Punkt ein Element einer Analyse ist, ebenso z in der xy-Ebene.</translation>
     </message>
     <message>
         <source>Measured coordinate y; empty where the point is a feature of an analysis, and z in the xy-plane.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gemessene Koordinate y; leer, wo der Punkt ein Element einer Analyse ist, ebenso z in der xy-Ebene.</translation>
     </message>
     <message>
         <source>Measured coordinate z; empty where the point is a feature of an analysis, and z in the xy-plane.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gemessene Koordinate z; leer, wo der Punkt ein Element einer Analyse ist, ebenso z in der xy-Ebene.</translation>
     </message>
     <message>
         <source>Standard uncertainty of coordinate x of this point; empty: as for all points.</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheit der Koordinate x dieses Punktes; leer: wie für alle Punkte.</translation>
     </message>
     <message>
         <source>Standard uncertainty of coordinate y of this point; empty: as for all points.</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheit der Koordinate y dieses Punktes; leer: wie für alle Punkte.</translation>
     </message>
     <message>
         <source>Standard uncertainty of coordinate z of this point; empty: as for all points.</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheit der Koordinate z dieses Punktes; leer: wie für alle Punkte.</translation>
     </message>
     <message>
         <source>Correlation coefficient of the point&apos;s own x and y.</source>
-        <translation type="unfinished"></translation>
+        <translation>Korrelationskoeffizient von x und y des Punktes selbst.</translation>
     </message>
     <message>
         <source>Correlation coefficient of the point&apos;s own x and z.</source>
-        <translation type="unfinished"></translation>
+        <translation>Korrelationskoeffizient von x und z des Punktes selbst.</translation>
     </message>
     <message>
         <source>Correlation coefficient of the point&apos;s own y and z.</source>
-        <translation type="unfinished"></translation>
+        <translation>Korrelationskoeffizient von y und z des Punktes selbst.</translation>
     </message>
     <message>
         <source>Typed, from the scatter of the points about their feature, or of what measured them: an instrument of the project, or an analysis whose results are points.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eingegeben, aus der Streuung der Punkte um ihr Element oder von dem, was sie gemessen hat: ein Messgerät des Projekts oder eine Analyse, deren Ergebnisse Punkte sind.</translation>
     </message>
     <message>
         <source>from the scatter about the feature</source>
-        <translation type="unfinished"></translation>
+        <translation>aus der Streuung um das Element</translation>
     </message>
     <message>
         <source>an instrument or an analysis</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Messgerät oder eine Analyse</translation>
     </message>
     <message>
         <source>Of every coordinate of every point that states none, independent of all others.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jeder Koordinate jedes Punktes, der keine angibt, unabhängig von allen anderen.</translation>
     </message>
     <message>
         <source>Standard uncertainty of a deviation along x that all points share beside their own: where the instrument stands.</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheit einer Abweichung entlang x, die alle Punkte neben ihrer eigenen gemeinsam haben: wo das Messgerät steht.</translation>
     </message>
     <message>
         <source>Standard uncertainty of a deviation along y that all points share beside their own: where the instrument stands.</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheit einer Abweichung entlang y, die alle Punkte neben ihrer eigenen gemeinsam haben: wo das Messgerät steht.</translation>
     </message>
     <message>
         <source>Common u of z</source>
-        <translation type="unfinished"></translation>
+        <translation>Gemeinsames u von z</translation>
     </message>
     <message>
         <source>Standard uncertainty of a deviation along z that all points share beside their own: where the instrument stands.</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheit einer Abweichung entlang z, die alle Punkte neben ihrer eigenen gemeinsam haben: wo das Messgerät steht.</translation>
     </message>
     <message>
         <source>Measured by</source>
-        <translation type="unfinished"></translation>
+        <translation>Gemessen mit</translation>
     </message>
     <message>
         <source>An instrument that stands somewhere, whose scale and station are alike for all points; or an analysis, whose points are known by their names and are evaluated with this one in every trial.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Messgerät, das irgendwo steht und dessen Maßstab und Standpunkt für alle Punkte gleich sind; oder eine Analyse, deren Punkte an ihren Namen erkannt und in jedem Versuch mit dieser ausgewertet werden.</translation>
     </message>
     <message>
         <source>Relation of features</source>
-        <translation type="unfinished"></translation>
+        <translation>Beziehungen von Elementen</translation>
     </message>
     <message>
         <source>Distances, angles, intersections and frames of features and points that other analyses measured, or that are typed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Abstände, Winkel, Schnitte und Systeme von Elementen und Punkten, die andere Analysen gemessen haben oder die eingegeben sind.</translation>
     </message>
     <message>
         <source>Features are evaluated with the relations as one model in every trial: what two features have in common, as the station of their instrument, cancels where it cancels.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Elemente werden mit den Beziehungen in jedem Versuch als ein Modell ausgewertet: Was zwei Elemente gemeinsam haben, etwa den Standpunkt ihres Messgeräts, hebt sich auf, wo es sich aufhebt.</translation>
     </message>
     <message>
         <source>A direction is that of the feature, with its sign: of a plane the normal. The angle of a line and a plane is 90° less the angle of their directions.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Richtung ist die des Elements mit ihrem Vorzeichen: bei einer Ebene die Normale. Der Winkel zwischen Gerade und Ebene ist 90° abzüglich des Winkels ihrer Richtungen.</translation>
     </message>
     <message>
         <source>The angle of nearly parallel directions is never negative, so its estimate is too large where its uncertainty is not small; tilts have signs and no such bias.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Winkel fast paralleler Richtungen ist nie negativ, sein Schätzwert daher zu groß, wo seine Unsicherheit nicht klein ist; Neigungen haben Vorzeichen und keine solche systematische Abweichung.</translation>
     </message>
     <message>
         <source>A frame&apos;s angles are those of Z-Y-X: R = Rz(γ) Ry(β) Rx(α).</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Winkel eines Systems sind die von Z-Y-X: R = Rz(γ) Ry(β) Rx(α).</translation>
     </message>
     <message>
         <source>Results of analyses (features, targets, frames&apos; origins), or typed ones, such as the direction of gravity.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ergebnisse von Analysen (Elemente, Zielpunkte, Ursprünge von Systemen) oder eingegebene, etwa die Richtung der Schwerkraft.</translation>
     </message>
     <message>
         <source>Name of the feature here, unique.</source>
-        <translation type="unfinished"></translation>
+        <translation>Name des Elements hier, eindeutig.</translation>
     </message>
     <message>
         <source>The analysis whose result it is; empty: place and direction are typed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Analyse, deren Ergebnis es ist; leer: Ort und Richtung werden eingegeben.</translation>
     </message>
     <message>
         <source>Its name in that analysis: a feature, a target, &quot;apex of C1&quot;; empty: the name here.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sein Name in jener Analyse: ein Element, ein Zielpunkt, &quot;apex of C1&quot;; leer: der Name hier.</translation>
     </message>
     <message>
         <source>Typed coordinate x; empty: 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eingegebene Koordinate x; leer: 0.</translation>
     </message>
     <message>
         <source>Typed coordinate y; empty: 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eingegebene Koordinate y; leer: 0.</translation>
     </message>
     <message>
         <source>Typed coordinate z; empty: 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eingegebene Koordinate z; leer: 0.</translation>
     </message>
     <message>
         <source>Typed direction, component x, of any length; empty: it has none.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eingegebene Richtung, Komponente x, von beliebiger Länge; leer: Es hat keine.</translation>
     </message>
     <message>
         <source>Typed direction, component y, of any length; empty: it has none.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eingegebene Richtung, Komponente y, von beliebiger Länge; leer: Es hat keine.</translation>
     </message>
     <message>
         <source>Typed direction, component z, of any length; empty: it has none.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eingegebene Richtung, Komponente z, von beliebiger Länge; leer: Es hat keine.</translation>
     </message>
     <message>
         <source>Standard uncertainty of each typed coordinate; empty: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheit jeder eingegebenen Koordinate; leer: keine.</translation>
     </message>
     <message>
         <source>Standard uncertainty of the typed direction, of two tilts across it; empty: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheit der eingegebenen Richtung, von zwei Neigungen quer zu ihr; leer: keine.</translation>
     </message>
     <message>
         <source>Relations</source>
-        <translation type="unfinished"></translation>
+        <translation>Beziehungen</translation>
     </message>
     <message>
         <source>Distances, angles, intersections and frames of the features.</source>
-        <translation type="unfinished"></translation>
+        <translation>Abstände, Winkel, Schnitte und Systeme der Elemente.</translation>
     </message>
     <message>
         <source>Name of the result, unique.</source>
-        <translation type="unfinished"></translation>
+        <translation>Name des Ergebnisses, eindeutig.</translation>
     </message>
     <message>
         <source>relation</source>
-        <translation type="unfinished"></translation>
+        <translation>Beziehung</translation>
     </message>
     <message>
         <source>What is wanted of the features.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was von den Elementen gesucht ist.</translation>
     </message>
     <message>
         <source>distance of two places</source>
-        <translation type="unfinished"></translation>
+        <translation>Abstand zweier Orte</translation>
     </message>
     <message>
         <source>distance of a place from a plane</source>
-        <translation type="unfinished"></translation>
+        <translation>Abstand eines Ortes von einer Ebene</translation>
     </message>
     <message>
         <source>distance of a place from a line</source>
-        <translation type="unfinished"></translation>
+        <translation>Abstand eines Ortes von einer Geraden</translation>
     </message>
     <message>
         <source>distance of two lines</source>
-        <translation type="unfinished"></translation>
+        <translation>Abstand zweier Geraden</translation>
     </message>
     <message>
         <source>angle of two directions</source>
-        <translation type="unfinished"></translation>
+        <translation>Winkel zweier Richtungen</translation>
     </message>
     <message>
         <source>tilts of a direction against another</source>
-        <translation type="unfinished"></translation>
+        <translation>Neigungen einer Richtung gegen eine andere</translation>
     </message>
     <message>
         <source>middle of two places</source>
-        <translation type="unfinished"></translation>
+        <translation>Mitte zweier Orte</translation>
     </message>
     <message>
         <source>foot of a place on a plane</source>
-        <translation type="unfinished"></translation>
+        <translation>Fußpunkt eines Ortes auf einer Ebene</translation>
     </message>
     <message>
         <source>foot of a place on a line</source>
-        <translation type="unfinished"></translation>
+        <translation>Fußpunkt eines Ortes auf einer Geraden</translation>
     </message>
     <message>
         <source>intersection of a line and a plane</source>
-        <translation type="unfinished"></translation>
+        <translation>Schnitt einer Geraden und einer Ebene</translation>
     </message>
     <message>
         <source>intersection of two lines</source>
-        <translation type="unfinished"></translation>
+        <translation>Schnitt zweier Geraden</translation>
     </message>
     <message>
         <source>intersection of three planes</source>
-        <translation type="unfinished"></translation>
+        <translation>Schnitt dreier Ebenen</translation>
     </message>
     <message>
         <source>line of two planes</source>
-        <translation type="unfinished"></translation>
+        <translation>Schnittgerade zweier Ebenen</translation>
     </message>
     <message>
         <source>frame: origin, z, x</source>
-        <translation type="unfinished"></translation>
+        <translation>System: Ursprung, z, x</translation>
     </message>
     <message>
         <source>frame: origin on a plane, its normal z, x</source>
-        <translation type="unfinished"></translation>
+        <translation>System: Ursprung auf einer Ebene, deren Normale z, x</translation>
     </message>
     <message>
         <source>A feature: the place, line or plane that is asked about; of a frame its origin.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Element: der Ort, die Gerade oder die Ebene, um die es geht; bei einem System sein Ursprung.</translation>
     </message>
     <message>
         <source>Another one: what it is related to; of a frame the direction of z.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein anderes: worauf es bezogen wird; bei einem System die Richtung von z.</translation>
     </message>
     <message>
         <source>third</source>
-        <translation type="unfinished"></translation>
+        <translation>drittes</translation>
     </message>
     <message>
         <source>A third one: the third plane; of a frame and of tilts what x points to, along its direction if it has one, else towards its place.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein drittes: die dritte Ebene; bei einem System und bei Neigungen, wohin x weist: entlang seiner Richtung, wenn es eine hat, sonst zu seinem Ort hin.</translation>
     </message>
     <message>
         <source>Distance meter on a baseline</source>
-        <translation type="unfinished"></translation>
+        <translation>Distanzmesser auf einer Prüfstrecke</translation>
     </message>
     <message>
         <source>Zero offset and standard deviation of a distance meter from distances between all pairs of pillars on a line, with their uncertainties, and the statistical tests of ISO 17123-4; its scale, where lengths of the baseline are known.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nullpunktabweichung und Standardabweichung eines Distanzmessers aus Distanzen zwischen allen Paaren von Pfeilern in einer Linie, mit ihren Unsicherheiten und den statistischen Tests der ISO 17123-4; sein Maßstab, wo Längen der Prüfstrecke bekannt sind.</translation>
     </message>
     <message>
         <source>All pairs of n pillars, read once each: the cofactor of the zero offset is 6/((n − 1)(n − 2)) whatever the lengths, and there are n (n − 1)/2 − n degrees of freedom.</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Paare von n Pfeilern, je einmal abgelesen: Der Kofaktor der Nullpunktabweichung ist 6/((n − 1)(n − 2)), welche Längen es auch sind, und es gibt n (n − 1)/2 − n Freiheitsgrade.</translation>
     </message>
     <message>
         <source>Limits of the tests are quantiles of chi-squared, F and t for the degrees of freedom that the readings have, not figures of a table.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Grenzen der Tests sind Quantile von Chi-Quadrat, F und t für die Freiheitsgrade, die die Ablesungen haben, nicht Zahlen einer Tabelle.</translation>
     </message>
     <message>
         <source>Any set of readings that tells the unknowns is adjusted, also one with pairs left out or repeated; readings that repeat without the instrument set up anew agree better than the instrument does.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausgeglichen wird jeder Satz von Ablesungen, der die Unbekannten bestimmt, auch mit fehlenden oder wiederholten Paaren; Ablesungen, die ohne neues Aufstellen des Messgeräts wiederholt sind, stimmen besser überein als das Messgerät.</translation>
     </message>
     <message>
         <source>Distances count with equal weights.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Distanzen zählen mit gleichem Gewicht.</translation>
     </message>
     <message>
         <source>Distances between pillars that stand on a line, best of all pairs, each with the instrument set up anew.</source>
-        <translation type="unfinished"></translation>
+        <translation>Distanzen zwischen Pfeilern, die in einer Linie stehen, am besten von allen Paaren, jede mit neu aufgestelltem Messgerät.</translation>
     </message>
     <message>
         <source>Pillar of the instrument.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pfeiler des Messgeräts.</translation>
     </message>
     <message>
         <source>Pillar of the reflector.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pfeiler des Reflektors.</translation>
     </message>
     <message>
         <source>As read, with the correction for the atmosphere and without one for the zero.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie abgelesen, mit der Korrektion wegen der Atmosphäre und ohne eine wegen des Nullpunkts.</translation>
     </message>
     <message>
         <source>Of the reflector above the instrument, where the distance is a slope distance; empty: it is horizontal.</source>
-        <translation type="unfinished"></translation>
+        <translation>Des Reflektors über dem Messgerät, wo die Distanz eine Schrägdistanz ist; leer: Sie ist horizontal.</translation>
     </message>
     <message>
         <source>Tests</source>
-        <translation type="unfinished"></translation>
+        <translation>Tests</translation>
     </message>
     <message>
         <source>σ, stated or wanted</source>
-        <translation type="unfinished"></translation>
+        <translation>σ, angegeben oder verlangt</translation>
     </message>
     <message>
         <source>Standard deviation of one distance that test a holds s against: of the maker, or what a job needs. Empty: no test a.</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardabweichung einer Distanz, gegen die Test a das s hält: des Herstellers oder was eine Aufgabe braucht. Leer: kein Test a.</translation>
     </message>
     <message>
         <source>s of another campaign</source>
-        <translation type="unfinished"></translation>
+        <translation>s einer anderen Kampagne</translation>
     </message>
     <message>
         <source>Experimental standard deviation that test b compares s with: of another instrument or day. Empty: no test b.</source>
-        <translation type="unfinished"></translation>
+        <translation>Empirische Standardabweichung, mit der Test b das s vergleicht: eines anderen Messgeräts oder Tages. Leer: kein Test b.</translation>
     </message>
     <message>
         <source>Its degrees of freedom</source>
-        <translation type="unfinished"></translation>
+        <translation>Deren Freiheitsgrade</translation>
     </message>
     <message>
         <source>Of the s of the other campaign: 14 for all pairs of seven pillars.</source>
-        <translation type="unfinished"></translation>
+        <translation>Des s der anderen Kampagne: 14 bei allen Paaren von sieben Pfeilern.</translation>
     </message>
     <message>
         <source>Probability of the tests</source>
-        <translation type="unfinished"></translation>
+        <translation>Wahrscheinlichkeit der Tests</translation>
     </message>
     <message>
         <source>1 − α: an instrument that is as good as stated passes a test with this probability.</source>
-        <translation type="unfinished"></translation>
+        <translation>1 − α: Ein Messgerät, das so gut ist wie angegeben, besteht einen Test mit dieser Wahrscheinlichkeit.</translation>
     </message>
     <message>
         <source>Scale</source>
-        <translation type="unfinished"></translation>
+        <translation>Maßstab</translation>
     </message>
     <message>
         <source>Scale correction</source>
-        <translation type="unfinished"></translation>
+        <translation>Maßstabskorrektion</translation>
     </message>
     <message>
         <source>Readings alone say nothing of it: it needs lengths of the baseline that are known better.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ablesungen allein sagen darüber nichts: Nötig sind Längen der Prüfstrecke, die besser bekannt sind.</translation>
     </message>
     <message>
         <source>not asked for</source>
-        <translation type="unfinished"></translation>
+        <translation>nicht gesucht</translation>
     </message>
     <message>
         <source>by reference lengths</source>
-        <translation type="unfinished"></translation>
+        <translation>nach Referenzlängen</translation>
     </message>
     <message>
         <source>Reference lengths</source>
-        <translation type="unfinished"></translation>
+        <translation>Referenzlängen</translation>
     </message>
     <message>
         <source>Horizontal lengths from the pillar where the line begins, of a certificate.</source>
-        <translation type="unfinished"></translation>
+        <translation>Horizontale Längen von dem Pfeiler aus, an dem die Linie beginnt, aus einem Kalibrierschein.</translation>
     </message>
     <message>
         <source>pillar</source>
-        <translation type="unfinished"></translation>
+        <translation>Pfeiler</translation>
     </message>
     <message>
         <source>As in the readings.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie in den Ablesungen.</translation>
     </message>
     <message>
         <source>From the pillar where the line begins.</source>
-        <translation type="unfinished"></translation>
+        <translation>Von dem Pfeiler aus, an dem die Linie beginnt.</translation>
     </message>
     <message>
         <source>Standard uncertainty of this length alone, beside what all share; empty: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheit dieser Länge allein, neben dem, was alle gemeinsam haben; leer: keine.</translation>
     </message>
     <message>
         <source>u of the baseline&apos;s scale</source>
-        <translation type="unfinished"></translation>
+        <translation>u des Maßstabs der Prüfstrecke</translation>
     </message>
     <message>
         <source>Relative standard uncertainty that all reference lengths share.</source>
-        <translation type="unfinished"></translation>
+        <translation>Relative Standardunsicherheit, die alle Referenzlängen gemeinsam haben.</translation>
     </message>
     <message>
         <source>u of the correction for the atmosphere</source>
-        <translation type="unfinished"></translation>
+        <translation>u der Korrektion wegen der Atmosphäre</translation>
     </message>
     <message>
         <source>Relative standard uncertainty that all readings share: 1 °C or 3.5 hPa are about 1 ppm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Relative Standardunsicherheit, die alle Ablesungen gemeinsam haben: 1 °C oder 3.5 hPa sind etwa 1 ppm.</translation>
     </message>
     <message>
         <source>Planes, circles, axes and balls through measured points, with form deviations.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ebenen, Kreise, Achsen und Kugeln durch gemessene Punkte, mit Formabweichungen.</translation>
     </message>
     <message>
         <source>Frame, distances and angles of features</source>
-        <translation type="unfinished"></translation>
+        <translation>System, Abstände und Winkel von Elementen</translation>
     </message>
     <message>
         <source>A frame as shops make it of a face, a bore and a hole, and where other features are from it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein System, wie es Werkstätten aus einer Fläche, einer Bohrung und einem Loch bilden, und wo andere Elemente von ihm aus sind.</translation>
     </message>
     <message>
         <source>Zero offset and standard deviation of a distance meter, with the tests of ISO 17123-4.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nullpunktabweichung und Standardabweichung eines Distanzmessers, mit den Tests der ISO 17123-4.</translation>
     </message>
     <message>
         <source>Total station on a baseline of seven pillars</source>
-        <translation type="unfinished"></translation>
+        <translation>Totalstation auf einer Prüfstrecke von sieben Pfeilern</translation>
     </message>
     <message>
         <source>The distance meter of a total station, tested after ISO 17123-4 with distances between all pairs of seven pillars.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Distanzmesser einer Totalstation, geprüft nach ISO 17123-4 mit Distanzen zwischen allen Paaren von sieben Pfeilern.</translation>
     </message>
     <message>
         <source>Flange and tool of a robot, from measured points</source>
-        <translation type="unfinished"></translation>
+        <translation>Flansch und Werkzeug eines Roboters, aus gemessenen Punkten</translation>
     </message>
     <message>
         <source>A laser tracker probed the flange of a robot: its face, its bore, a dowel hole, the shank of a tool and the ball at its tip.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Lasertracker hat den Flansch eines Roboters angetastet: seine Stirnfläche, seine Bohrung, ein Passstiftloch, den Schaft eines Werkzeugs und die Kugel an dessen Spitze.</translation>
     </message>
     <message>
         <source>Form deviations of a turned part</source>
-        <translation type="unfinished"></translation>
+        <translation>Formabweichungen eines Drehteils</translation>
     </message>
     <message>
         <source>A coordinate measuring machine probed a seat, a taper, a face and a groove.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Koordinatenmessgerät hat einen Sitz, einen Kegel, eine Planfläche und eine Nut angetastet.</translation>
     </message>
     <message>
         <source>%1, point %2, coordinate %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, Punkt %2, Koordinate %3</translation>
     </message>
     <message>
         <source>common deviation of all points along %1</source>
-        <translation type="unfinished"></translation>
+        <translation>gemeinsame Abweichung aller Punkte entlang %1</translation>
     </message>
     <message>
         <source>scatter of the points of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Streuung der Punkte von %1</translation>
     </message>
     <message>
         <source>residuals of %1 points about %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Residuen von %1 Punkten um %2</translation>
     </message>
     <message>
         <source>an instrument measures points in space; &apos;%1&apos; lies in the xy-plane: state the uncertainty of its points</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Messgerät misst Punkte im Raum; &apos;%1&apos; liegt in der xy-Ebene: die Unsicherheit seiner Punkte angeben</translation>
     </message>
     <message>
         <source>orthogonal distances of the points from the feature</source>
-        <translation type="unfinished"></translation>
+        <translation>orthogonale Abstände der Punkte vom Element</translation>
     </message>
     <message>
         <source>circle in its plane, cylinder</source>
-        <translation type="unfinished"></translation>
+        <translation>Kreis in seiner Ebene, Zylinder</translation>
     </message>
     <message>
         <source>cone, half angle φ</source>
-        <translation type="unfinished"></translation>
+        <translation>Kegel, halber Öffnungswinkel φ</translation>
     </message>
     <message>
         <source>form deviations of m points</source>
-        <translation type="unfinished"></translation>
+        <translation>Formabweichungen von m Punkten</translation>
     </message>
     <message>
         <source>two features are called &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>zwei Elemente heißen &apos;%1&apos;</translation>
     </message>
     <message>
         <source>%1 has no feature called &apos;%2&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 hat kein Element mit dem Namen &apos;%2&apos;</translation>
     </message>
     <message>
         <source>%1 has no value</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 hat keinen Wert</translation>
     </message>
     <message>
         <source>the direction of &apos;%1&apos; is zero</source>
-        <translation type="unfinished"></translation>
+        <translation>die Richtung von &apos;%1&apos; ist null</translation>
     </message>
     <message>
         <source>typed coordinate</source>
-        <translation type="unfinished"></translation>
+        <translation>eingegebene Koordinate</translation>
     </message>
     <message>
         <source>tilt of the typed direction</source>
-        <translation type="unfinished"></translation>
+        <translation>Neigung der eingegebenen Richtung</translation>
     </message>
     <message>
         <source>%1, direction along %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, Richtung entlang %2</translation>
     </message>
     <message>
         <source>two relations are called &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>zwei Beziehungen heißen &apos;%1&apos;</translation>
     </message>
     <message>
         <source>&apos;%1&apos; takes two features; leave the third empty</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; nimmt zwei Elemente; das dritte leer lassen</translation>
     </message>
     <message>
         <source>&apos;%1&apos; needs three features</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; braucht drei Elemente</translation>
     </message>
     <message>
         <source>there is no feature &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>es gibt kein Element &apos;%1&apos;</translation>
     </message>
     <message>
         <source>&apos;%1&apos; has no direction, which &apos;%2&apos; needs</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; hat keine Richtung, die &apos;%2&apos; braucht</translation>
     </message>
     <message>
         <source>%1, distance</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, Abstand</translation>
     </message>
     <message>
         <source>%1, angle</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, Winkel</translation>
     </message>
     <message>
         <source>%1, tilt towards x</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, Neigung gegen x</translation>
     </message>
     <message>
         <source>%1, tilt towards y</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, Neigung gegen y</translation>
     </message>
     <message>
         <source>%1, rotation about %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, Drehung um %2</translation>
     </message>
     <message>
         <source>the two places are the same</source>
-        <translation type="unfinished"></translation>
+        <translation>die beiden Orte sind derselbe</translation>
     </message>
     <message>
         <source>the place is on the line</source>
-        <translation type="unfinished"></translation>
+        <translation>der Ort liegt auf der Geraden</translation>
     </message>
     <message>
         <source>the two are parallel</source>
-        <translation type="unfinished"></translation>
+        <translation>die beiden sind parallel</translation>
     </message>
     <message>
         <source>the directions are parallel: ask for tilts, which have a sign</source>
-        <translation type="unfinished"></translation>
+        <translation>die Richtungen sind parallel: nach Neigungen fragen, die ein Vorzeichen haben</translation>
     </message>
     <message>
         <source>the line is parallel to the plane</source>
-        <translation type="unfinished"></translation>
+        <translation>die Gerade ist parallel zur Ebene</translation>
     </message>
     <message>
         <source>the three planes have no common point</source>
-        <translation type="unfinished"></translation>
+        <translation>die drei Ebenen haben keinen gemeinsamen Punkt</translation>
     </message>
     <message>
         <source>x and z are parallel</source>
-        <translation type="unfinished"></translation>
+        <translation>x und z sind parallel</translation>
     </message>
     <message>
         <source>&apos;%1&apos;: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos;: %2</translation>
     </message>
     <message>
         <source>elementary geometry; p places, n unit directions of the first, second, third</source>
-        <translation type="unfinished"></translation>
+        <translation>elementare Geometrie; p Orte, n Einheitsrichtungen des ersten, zweiten, dritten</translation>
     </message>
     <message>
         <source>from a plane; from a line the length across n₂</source>
-        <translation type="unfinished"></translation>
+        <translation>von einer Ebene; von einer Geraden die Länge quer zu n₂</translation>
     </message>
     <message>
         <source>between lines</source>
-        <translation type="unfinished"></translation>
+        <translation>zwischen Geraden</translation>
     </message>
     <message>
         <source>tilts, z = n₂</source>
-        <translation type="unfinished"></translation>
+        <translation>Neigungen, z = n₂</translation>
     </message>
     <message>
         <source>frames, v of the third</source>
-        <translation type="unfinished"></translation>
+        <translation>Systeme, v des dritten</translation>
     </message>
     <message>
         <source>centre of %1, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Mittelpunkt von %1, %2</translation>
     </message>
     <message>
         <source>point on the axis of %1, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkt auf der Achse von %1, %2</translation>
     </message>
     <message>
         <source>place of %1, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Ort von %1, %2</translation>
     </message>
     <message>
         <source>point on %1, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkt auf %1, %2</translation>
     </message>
     <message>
         <source>normal of %1, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Normale von %1, %2</translation>
     </message>
     <message>
         <source>direction of the axis of %1, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Richtung der Achse von %1, %2</translation>
     </message>
     <message>
         <source>direction of %1, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Richtung von %1, %2</translation>
     </message>
     <message>
         <source>flatness deviation of %1, peak to valley</source>
-        <translation type="unfinished"></translation>
+        <translation>Ebenheitsabweichung von %1, Spitze-Tal</translation>
     </message>
     <message>
         <source>straightness deviation of %1, peak to valley</source>
-        <translation type="unfinished"></translation>
+        <translation>Geradheitsabweichung von %1, Spitze-Tal</translation>
     </message>
     <message>
         <source>roundness deviation of %1, peak to valley</source>
-        <translation type="unfinished"></translation>
+        <translation>Rundheitsabweichung von %1, Spitze-Tal</translation>
     </message>
     <message>
         <source>cylindricity deviation of %1, peak to valley</source>
-        <translation type="unfinished"></translation>
+        <translation>Zylindrizitätsabweichung von %1, Spitze-Tal</translation>
     </message>
     <message>
         <source>form deviation of %1, peak to valley</source>
-        <translation type="unfinished"></translation>
+        <translation>Formabweichung von %1, Spitze-Tal</translation>
     </message>
     <message>
         <source>diameter of %1 at its point</source>
-        <translation type="unfinished"></translation>
+        <translation>Durchmesser von %1 an seinem Punkt</translation>
     </message>
     <message>
         <source>diameter of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Durchmesser von %1</translation>
     </message>
     <message>
         <source>angle of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Winkel von %1</translation>
     </message>
     <message>
         <source>form deviation of %1, root mean square</source>
-        <translation type="unfinished"></translation>
+        <translation>Formabweichung von %1, quadratischer Mittelwert</translation>
     </message>
     <message>
         <source>apex of %1, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Scheitel von %1, %2</translation>
     </message>
     <message>
         <source>two points of &apos;%1&apos; are called &apos;%2&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>zwei Punkte von &apos;%1&apos; heißen &apos;%2&apos;</translation>
     </message>
     <message>
         <source>%1 has no point called &apos;%2&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 hat keinen Punkt mit dem Namen &apos;%2&apos;</translation>
     </message>
     <message>
         <source>point &apos;%1&apos; has no coordinate %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkt &apos;%1&apos; hat keine Koordinate %2</translation>
     </message>
     <message>
         <source>&apos;%1&apos; has %2 points; a %3 needs %4 or more</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; hat %2 Punkte; für die Form &apos;%3&apos; sind mindestens %4 nötig</translation>
     </message>
     <message>
         <source>the %1 points of &apos;%2&apos; do not scatter: with so few the form goes through all of them; add points, or state their uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>die %1 Punkte von &apos;%2&apos; streuen nicht: bei so wenigen geht die Form durch alle; Punkte hinzufügen oder ihre Unsicherheit angeben</translation>
     </message>
     <message>
         <source>the points of &apos;%1&apos;: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>die Punkte von &apos;%1&apos;: %2</translation>
     </message>
     <message>
         <source>the points of &apos;%1&apos; lie exactly on it: their scatter says nothing of their uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>die Punkte von &apos;%1&apos; liegen genau darauf: ihre Streuung sagt nichts über ihre Unsicherheit</translation>
     </message>
     <message>
         <source>they are so nearly flat or straight that they determine no radius</source>
-        <translation type="unfinished"></translation>
+        <translation>sie sind so nahezu eben oder gerade, dass sie keinen Radius bestimmen</translation>
     </message>
     <message>
         <source>no %1 that fits them was found</source>
-        <translation type="unfinished"></translation>
+        <translation>keine passende Form &apos;%1&apos; wurde gefunden</translation>
     </message>
     <message>
         <source>all of them are the same</source>
-        <translation type="unfinished"></translation>
+        <translation>alle sind dieselben</translation>
     </message>
     <message>
         <source>they are too far from each other</source>
-        <translation type="unfinished"></translation>
+        <translation>sie sind zu weit voneinander entfernt</translation>
     </message>
     <message>
         <source>they lie on a straight line</source>
-        <translation type="unfinished"></translation>
+        <translation>sie liegen auf einer Geraden</translation>
     </message>
     <message>
         <source>they lie on a plane</source>
-        <translation type="unfinished"></translation>
+        <translation>sie liegen auf einer Ebene</translation>
     </message>
     <message>
         <source>How well the points determine the features</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie gut die Punkte die Elemente bestimmen</translation>
     </message>
     <message>
         <source>at a standard deviation of 1 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>bei einer Standardabweichung von 1 mm</translation>
     </message>
     <message>
         <source>at the scatter of the points</source>
-        <translation type="unfinished"></translation>
+        <translation>bei der Streuung der Punkte</translation>
     </message>
     <message>
         <source>Standard uncertainties that independent deviations of all coordinates alike would give, first with a standard deviation of 1 mm: they depend on where the points are alone. Places and tilts are along the directions in which they are largest and smallest.</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheiten, die unabhängige, für alle Koordinaten gleiche Abweichungen ergäben, zuerst mit einer Standardabweichung von 1 mm: Sie hängen nur davon ab, wo die Punkte sind. Orte und Neigungen gelten in den Richtungen, in denen sie am größten und am kleinsten sind.</translation>
     </message>
     <message>
         <source>place across the axis</source>
-        <translation type="unfinished"></translation>
+        <translation>Ort quer zur Achse</translation>
     </message>
     <message>
         <source>place</source>
-        <translation type="unfinished"></translation>
+        <translation>Ort</translation>
     </message>
     <message>
         <source>offset across the line</source>
-        <translation type="unfinished"></translation>
+        <translation>Versatz quer zur Geraden</translation>
     </message>
     <message>
         <source>offset along the normal</source>
-        <translation type="unfinished"></translation>
+        <translation>Versatz entlang der Normalen</translation>
     </message>
     <message>
         <source>diameter</source>
-        <translation type="unfinished"></translation>
+        <translation>Durchmesser</translation>
     </message>
     <message>
         <source>angle of the cone</source>
-        <translation type="unfinished"></translation>
+        <translation>Winkel des Kegels</translation>
     </message>
     <message>
         <source>correlation of diameter and centre along the middle of the arc</source>
-        <translation type="unfinished"></translation>
+        <translation>Korrelation von Durchmesser und Mittelpunkt in Richtung der Bogenmitte</translation>
     </message>
     <message>
         <source>angle to both sides of that middle within which the points are</source>
-        <translation type="unfinished"></translation>
+        <translation>Winkel zu beiden Seiten dieser Mitte, in dem die Punkte liegen</translation>
     </message>
     <message>
         <source>Features and the scatter of their points</source>
-        <translation type="unfinished"></translation>
+        <translation>Elemente und die Streuung ihrer Punkte</translation>
     </message>
     <message>
         <source>largest deviation</source>
-        <translation type="unfinished"></translation>
+        <translation>größte Abweichung</translation>
     </message>
     <message>
         <source>s is the root of the sum of squares of the deviations over the degrees of freedom.</source>
-        <translation type="unfinished"></translation>
+        <translation>s ist die Wurzel aus der Quadratsumme der Abweichungen durch die Freiheitsgrade.</translation>
     </message>
     <message>
         <source>Deviations of the points from their features</source>
-        <translation type="unfinished"></translation>
+        <translation>Abweichungen der Punkte von ihren Elementen</translation>
     </message>
     <message>
         <source>above the plane of the circle</source>
-        <translation type="unfinished"></translation>
+        <translation>über der Kreisebene</translation>
     </message>
     <message>
         <source>Positive outside of a circle, sphere, cylinder or cone and on the side of a plane to which its normal points; of a line in space the distance.</source>
-        <translation type="unfinished"></translation>
+        <translation>Positiv außerhalb eines Kreises, einer Kugel, eines Zylinders oder Kegels und auf der Seite einer Ebene, zu der ihre Normale weist; bei einer Geraden im Raum der Abstand.</translation>
     </message>
     <message>
         <source>the points of &apos;%1&apos; are within %2° of the middle of their arc: its diameter has %3 times the standard uncertainty of a coordinate and correlates with the place of the centre by %4</source>
-        <translation type="unfinished"></translation>
+        <translation>die Punkte von &apos;%1&apos; liegen innerhalb von %2° um die Mitte ihres Bogens: sein Durchmesser hat das %3-Fache der Standardunsicherheit einer Koordinate und ist mit dem Ort des Mittelpunkts mit %4 korreliert</translation>
     </message>
     <message>
         <source>apex of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Scheitel von %1</translation>
     </message>
     <message>
         <source>all pairs of pillars, ISO 17123-4</source>
-        <translation type="unfinished"></translation>
+        <translation>alle Paare von Pfeilern, ISO 17123-4</translation>
     </message>
     <message>
         <source>N distances between n pillars; JCGM 100 H.3.2</source>
-        <translation type="unfinished"></translation>
+        <translation>N Distanzen zwischen n Pfeilern; JCGM 100 H.3.2</translation>
     </message>
     <message>
         <source>JCGM 100 E.4.3</source>
-        <translation type="unfinished"></translation>
+        <translation>JCGM 100 E.4.3</translation>
     </message>
     <message>
         <source>scale, by the reference lengths L_j</source>
-        <translation type="unfinished"></translation>
+        <translation>Maßstab, nach den Referenzlängen L_j</translation>
     </message>
     <message>
         <source>scatter of the distances</source>
-        <translation type="unfinished"></translation>
+        <translation>Streuung der Distanzen</translation>
     </message>
     <message>
         <source>least squares, residuals of %1 distances</source>
-        <translation type="unfinished"></translation>
+        <translation>kleinste Quadrate, Residuen von %1 Distanzen</translation>
     </message>
     <message>
         <source>zero offset</source>
-        <translation type="unfinished"></translation>
+        <translation>Nullpunktabweichung</translation>
     </message>
     <message>
         <source>place of pillar %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Ort von Pfeiler %1</translation>
     </message>
     <message>
         <source>standard deviation of one distance</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardabweichung einer Distanz</translation>
     </message>
     <message>
         <source>few degrees of freedom of s</source>
-        <translation type="unfinished"></translation>
+        <translation>wenige Freiheitsgrade von s</translation>
     </message>
     <message>
         <source>reference lengths and their conditions</source>
-        <translation type="unfinished"></translation>
+        <translation>Referenzlängen und ihre Bedingungen</translation>
     </message>
     <message>
         <source>scale of the readings by the atmosphere</source>
-        <translation type="unfinished"></translation>
+        <translation>Maßstab der Ablesungen durch die Atmosphäre</translation>
     </message>
     <message>
         <source>correction for the atmosphere</source>
-        <translation type="unfinished"></translation>
+        <translation>Korrektion wegen der Atmosphäre</translation>
     </message>
     <message>
         <source>scale of the baseline</source>
-        <translation type="unfinished"></translation>
+        <translation>Maßstab der Prüfstrecke</translation>
     </message>
     <message>
         <source>reference length of pillar %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Referenzlänge von Pfeiler %1</translation>
     </message>
     <message>
         <source>reference length</source>
-        <translation type="unfinished"></translation>
+        <translation>Referenzlänge</translation>
     </message>
     <message>
         <source>zero offset, added to a reading</source>
-        <translation type="unfinished"></translation>
+        <translation>Nullpunktabweichung, zu einer Ablesung addiert</translation>
     </message>
     <message>
         <source>scale correction, times a reading</source>
-        <translation type="unfinished"></translation>
+        <translation>Maßstabskorrektion, mal eine Ablesung</translation>
     </message>
     <message>
         <source>the readings do not tell the zero offset from the lengths: some line of three pillars must be read whole and in parts</source>
-        <translation type="unfinished"></translation>
+        <translation>die Ablesungen trennen die Nullpunktabweichung nicht von den Längen: irgendeine Linie aus drei Pfeilern muss ganz und in Teilen abgelesen sein</translation>
     </message>
     <message>
         <source>a distance from pillar &apos;%1&apos; to itself</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Distanz von Pfeiler &apos;%1&apos; zu sich selbst</translation>
     </message>
     <message>
         <source>the height difference in row %1 is not shorter than the slope distance</source>
-        <translation type="unfinished"></translation>
+        <translation>der Höhenunterschied in Zeile %1 ist nicht kürzer als die Schrägdistanz</translation>
     </message>
     <message>
         <source>a zero offset needs distances between three pillars or more</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Nullpunktabweichung braucht Distanzen zwischen drei oder mehr Pfeilern</translation>
     </message>
     <message>
         <source>%1 distances for %2 lengths and the zero offset leave nothing that would tell the scatter: read more pairs of pillars</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Distanzen für %2 Längen und die Nullpunktabweichung lassen nichts übrig, das die Streuung zeigte: mehr Paare von Pfeilern ablesen</translation>
     </message>
     <message>
         <source>the distances do not connect all pillars</source>
-        <translation type="unfinished"></translation>
+        <translation>die Distanzen verbinden nicht alle Pfeiler</translation>
     </message>
     <message>
         <source>pillar &apos;%1&apos; has two reference lengths</source>
-        <translation type="unfinished"></translation>
+        <translation>Pfeiler &apos;%1&apos; hat zwei Referenzlängen</translation>
     </message>
     <message>
         <source>no reading is to or from pillar &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>keine Ablesung führt zu Pfeiler &apos;%1&apos; oder von ihm weg</translation>
     </message>
     <message>
         <source>reference lengths begin at pillar &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>Referenzlängen beginnen bei Pfeiler &apos;%1&apos;</translation>
     </message>
     <message>
         <source>a: s is not larger than the stated σ</source>
-        <translation type="unfinished"></translation>
+        <translation>a: s ist nicht größer als das angegebene σ</translation>
     </message>
     <message>
         <source>b: s and the s of the other campaign are of one σ, s²/s²</source>
-        <translation type="unfinished"></translation>
+        <translation>b: s und das s der anderen Kampagne gehören zu einem σ, s²/s²</translation>
     </message>
     <message>
         <source>c: the zero offset is not different from zero</source>
-        <translation type="unfinished"></translation>
+        <translation>c: die Nullpunktabweichung ist nicht von null verschieden</translation>
     </message>
     <message>
         <source>A zero offset is seen: add it to readings, or enter it in the instrument.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Nullpunktabweichung ist zu sehen: zu den Ablesungen addieren oder im Messgerät eintragen.</translation>
     </message>
     <message>
         <source>pillars</source>
-        <translation type="unfinished"></translation>
+        <translation>Pfeiler</translation>
     </message>
     <message>
         <source>s of one distance</source>
-        <translation type="unfinished"></translation>
+        <translation>s einer Distanz</translation>
     </message>
     <message>
         <source>standard uncertainty of s</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheit von s</translation>
     </message>
     <message>
         <source>standard uncertainty of the zero offset</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheit der Nullpunktabweichung</translation>
     </message>
     <message>
         <source>cofactor of the zero offset</source>
-        <translation type="unfinished"></translation>
+        <translation>Kofaktor der Nullpunktabweichung</translation>
     </message>
     <message>
         <source>residual over its s</source>
-        <translation type="unfinished"></translation>
+        <translation>Residuum durch sein s</translation>
     </message>
     <message>
         <source>passed</source>
-        <translation type="unfinished"></translation>
+        <translation>bestanden</translation>
     </message>
     <message>
         <source>not passed</source>
-        <translation type="unfinished"></translation>
+        <translation>nicht bestanden</translation>
     </message>
     <message>
         <source>line of the baseline</source>
-        <translation type="unfinished"></translation>
+        <translation>Linie der Prüfstrecke</translation>
     </message>
     <message>
         <source>baseline</source>
-        <translation type="unfinished"></translation>
+        <translation>Prüfstrecke</translation>
     </message>
     <message>
         <source>scatter</source>
-        <translation type="unfinished"></translation>
+        <translation>Streuung</translation>
     </message>
     <message>
         <source>the name of the file says that it is a %1</source>
-        <translation type="unfinished"></translation>
+        <translation>der Name der Datei sagt, dass die Form &apos;%1&apos; gemeint ist</translation>
     </message>
     <message>
         <source>the file does not say which form its points have: a %1 is fitted; choose another one in the table of features</source>
-        <translation type="unfinished"></translation>
+        <translation>die Datei sagt nicht, welche Form ihre Punkte haben: angepasst wird die Form &apos;%1&apos;; in der Tabelle der Elemente eine andere wählen</translation>
     </message>
     <message>
         <source>the first line is not a number of points</source>
-        <translation type="unfinished"></translation>
+        <translation>die erste Zeile ist keine Anzahl von Punkten</translation>
     </message>
     <message>
         <source>x y z were expected, %1 columns found</source>
-        <translation type="unfinished"></translation>
+        <translation>x y z wurden erwartet, gefunden sind %1 Spalten</translation>
     </message>
     <message>
         <source>the first line announces %1 points, but there are %2</source>
-        <translation type="unfinished"></translation>
+        <translation>die erste Zeile kündigt %1 Punkte an, vorhanden sind aber %2</translation>
     </message>
     <message>
         <source>what stands behind the %1 points</source>
-        <translation type="unfinished"></translation>
+        <translation>was hinter den %1 Punkten steht</translation>
     </message>
     <message>
         <source>%1 points; their uncertainty is taken from their scatter about the form</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Punkte; ihre Unsicherheit wird aus ihrer Streuung um die Form genommen</translation>
     </message>
     <message>
         <source>%1 points; state their uncertainty: the file says nothing of it</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Punkte; ihre Unsicherheit angeben: die Datei sagt nichts darüber</translation>
     </message>
     <message>
         <source>List of coordinates (NIST .ds)</source>
-        <translation type="unfinished"></translation>
+        <translation>Koordinatenliste (NIST .ds)</translation>
     </message>
     <message>
         <source>Sheet</source>
-        <translation type="unfinished"></translation>
+        <translation>Ergebnisblatt</translation>
     </message>
     <message>
         <source>Statistical tests</source>
-        <translation type="unfinished"></translation>
+        <translation>Statistische Tests</translation>
     </message>
     <message>
         <source>test</source>
-        <translation type="unfinished"></translation>
+        <translation>Test</translation>
     </message>
     <message>
         <source>Lengths of the baseline</source>
-        <translation type="unfinished"></translation>
+        <translation>Längen der Prüfstrecke</translation>
     </message>
     <message>
         <source>Readings and their residuals</source>
-        <translation type="unfinished"></translation>
+        <translation>Ablesungen und ihre Residuen</translation>
     </message>
     <message>
         <source>Residuals of the distances</source>
-        <translation type="unfinished"></translation>
+        <translation>Residuen der Distanzen</translation>
     </message>
     <message>
         <source>−s</source>
-        <translation type="unfinished"></translation>
+        <translation>−s</translation>
     </message>
     <message>
         <source>Uncertainties of the points are used</source>
-        <translation type="unfinished"></translation>
+        <translation>Unsicherheiten der Punkte gelten</translation>
     </message>
     <message>
         <source>As stated; or as the residuals of least-squares frames see them: stated ones times one common factor, or times the factor of each figure (variance components). Either has the degrees of freedom of its estimate. What all points share stays as stated.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie angegeben; oder wie die Residuen von Systemen nach kleinsten Quadraten sie sehen: die angegebenen mal einem gemeinsamen Faktor oder mal dem Faktor jeder Angabe (Varianzkomponenten). Beide haben die Freiheitsgrade ihrer Schätzung. Was alle Punkte gemeinsam haben, bleibt wie angegeben.</translation>
     </message>
     <message>
         <source>Zero, scale, refraction, index and collimation of an instrument are unknowns with or without a prior, which all of its readings share.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nullpunkt, Maßstab, Refraktion, Index und Zielachsfehler eines Messgeräts sind Unbekannte mit oder ohne A-priori-Verteilung, die alle seine Ablesungen gemeinsam haben.</translation>
     </message>
     <message>
         <source>Map projections are not part of it: reduce the readings before. The curvature of the Earth counts in zenith angles where its radius is given.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kartenprojektionen gehören nicht dazu: die Ablesungen vorher reduzieren. Die Erdkrümmung zählt bei Zenitwinkeln, wo der Erdradius angegeben ist.</translation>
     </message>
     <message>
         <source>Which instrument read it: readings of one kind by one instrument rest on one figure when stated uncertainties are held against the residuals, and share its figures.</source>
-        <translation type="unfinished"></translation>
+        <translation>Welches Messgerät sie abgelesen hat: Ablesungen einer Art mit einem Messgerät beruhen auf einer Angabe, wenn angegebene Unsicherheiten mit den Residuen verglichen werden, und teilen sich seine Kennwerte.</translation>
     </message>
     <message>
         <source>A reading that is left out stays in the table, and is told among those left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine weggelassene Ablesung bleibt in der Tabelle und wird unter den weggelassenen genannt.</translation>
     </message>
     <message>
         <source>left out</source>
-        <translation type="unfinished"></translation>
+        <translation>weggelassen</translation>
     </message>
     <message>
         <source>Figures as seen in</source>
-        <translation type="unfinished"></translation>
+        <translation>Angaben wie gesehen in</translation>
     </message>
     <message>
         <source>Another network, rounds of a total station say, whose residuals see what its readings are worth. Readings of the same kind and instrument get the standard uncertainty that it sees, with its degrees of freedom, and follow its readings; others stay as stated here.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein anderes Netz, etwa Sätze einer Totalstation, dessen Residuen sehen, was seine Ablesungen wert sind. Ablesungen derselben Art und desselben Messgeräts erhalten die Standardunsicherheit, die es sieht, mit ihren Freiheitsgraden, und folgen seinen Ablesungen; andere bleiben wie hier angegeben.</translation>
     </message>
     <message>
         <source>Figures of instruments</source>
-        <translation type="unfinished"></translation>
+        <translation>Kennwerte der Messgeräte</translation>
     </message>
     <message>
         <source>What an instrument does to all of its readings alike, with what is known of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was ein Messgerät mit allen seinen Ablesungen gleichermaßen macht, mit dem, was darüber bekannt ist.</translation>
     </message>
     <message>
         <source>Name of the instrument, as in the column of the readings; empty: of all readings without one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Name des Messgeräts wie in der Spalte der Ablesungen; leer: aller Ablesungen ohne eines.</translation>
     </message>
     <message>
         <source>What it does to all of its readings alike: its zero is added to distances, by its scale (weather correction included) they are longer, refraction bends its lines of sight, its index is added to zenith angles, its collimation over the sine of the zenith angle to directions.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was es mit allen seinen Ablesungen gleichermaßen macht: Sein Nullpunkt wird zu Distanzen addiert, um seinen Maßstab (einschließlich der Wetterkorrektion) sind sie länger, Refraktion krümmt seine Ziellinien, sein Index wird zu Zenitwinkeln addiert, sein Zielachsfehler durch den Sinus des Zenitwinkels zu Richtungen.</translation>
     </message>
     <message>
         <source>zero of distances</source>
-        <translation type="unfinished"></translation>
+        <translation>Nullpunkt der Distanzen</translation>
     </message>
     <message>
         <source>refraction coefficient</source>
-        <translation type="unfinished"></translation>
+        <translation>Refraktionskoeffizient</translation>
     </message>
     <message>
         <source>vertical index</source>
-        <translation type="unfinished"></translation>
+        <translation>Höhenindex</translation>
     </message>
     <message>
         <source>knowledge</source>
-        <translation type="unfinished"></translation>
+        <translation>Kenntnis</translation>
     </message>
     <message>
         <source>Unknown: the readings tell it; stated with u: its value is one more reading, which all of the instrument&apos;s share; fixed without uncertainty.</source>
-        <translation type="unfinished"></translation>
+        <translation>Unbekannt: Die Ablesungen bestimmen ihn; angegeben mit u: Sein Wert ist eine weitere Ablesung, die alle des Messgeräts gemeinsam haben; fest: ohne Unsicherheit.</translation>
     </message>
     <message>
         <source>The zero; 0 where it is empty.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Nullpunkt; 0, wo leer.</translation>
     </message>
     <message>
         <source>Standard uncertainty of a stated zero.</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheit eines angegebenen Nullpunkts.</translation>
     </message>
     <message>
         <source>The scale beyond 1, or the refraction coefficient.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Maßstab über 1 hinaus oder der Refraktionskoeffizient.</translation>
     </message>
     <message>
         <source>u of ratio</source>
-        <translation type="unfinished"></translation>
+        <translation>u des Verhältnisses</translation>
     </message>
     <message>
         <source>Standard uncertainty of a stated scale or refraction coefficient.</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheit eines angegebenen Maßstabs oder Refraktionskoeffizienten.</translation>
     </message>
     <message>
         <source>The index or collimation; 0 where it is empty.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Index oder Zielachsfehler; 0, wo leer.</translation>
     </message>
     <message>
         <source>Standard uncertainty of a stated index or collimation.</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheit eines angegebenen Index oder Zielachsfehlers.</translation>
     </message>
     <message>
         <source>Radius of the Earth</source>
-        <translation type="unfinished"></translation>
+        <translation>Erdradius</translation>
     </message>
     <message>
         <source>Where the curvature of the Earth counts in zenith angles; empty: it does not.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wo die Erdkrümmung bei Zenitwinkeln zählt; leer: Sie zählt nicht.</translation>
     </message>
     <message>
         <source>Refraction coefficient</source>
-        <translation type="unfinished"></translation>
+        <translation>Refraktionskoeffizient</translation>
     </message>
     <message>
         <source>Of zenith angles, where the curvature of the Earth counts and no instrument states its own.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Zenitwinkel, wo die Erdkrümmung zählt und kein Messgerät seinen eigenen angibt.</translation>
     </message>
     <message>
         <source>What is left out</source>
-        <translation type="unfinished"></translation>
+        <translation>Was weggelassen wird</translation>
     </message>
     <message>
         <source>Gross readings beyond</source>
-        <translation type="unfinished"></translation>
+        <translation>Grobe Ablesungen über</translation>
     </message>
     <message>
         <source>Readings that miss what the others agree on (a robust adjustment) by more, an angle at its target, are left out; empty: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ablesungen, die das, worin die anderen übereinstimmen (eine robuste Ausgleichung), um mehr verfehlen, ein Winkel an seinem Zielpunkt, werden weggelassen; leer: keine.</translation>
     </message>
     <message>
         <source>Points that nothing tells</source>
-        <translation type="unfinished"></translation>
+        <translation>Unbestimmte Punkte</translation>
     </message>
     <message>
         <source>They are refused, by name; or left out with their readings, and told.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sie werden mit Namen zurückgewiesen; oder mit ihren Ablesungen weggelassen und genannt.</translation>
     </message>
     <message>
         <source>are refused</source>
-        <translation type="unfinished"></translation>
+        <translation>zurückgewiesen</translation>
     </message>
     <message>
         <source>are left out</source>
-        <translation type="unfinished"></translation>
+        <translation>weggelassen</translation>
     </message>
     <message>
         <source>Outliers</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausreißer</translation>
     </message>
     <message>
         <source>All readings are kept, and the adjustment says which contradict the others; or the search begins robustly (Huber&apos;s weights), and readings with |w| beyond 3.29 are left out, each with its reason.</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Ablesungen bleiben, und die Ausgleichung sagt, welche den anderen widersprechen; oder die Suche beginnt robust (Huber-Gewichte), und Ablesungen mit |w| über 3.29 werden weggelassen, jede mit ihrem Grund.</translation>
     </message>
     <message>
         <source>are kept</source>
-        <translation type="unfinished"></translation>
+        <translation>bleiben</translation>
     </message>
     <message>
         <source>robust start, and left out</source>
-        <translation type="unfinished"></translation>
+        <translation>robuster Beginn, und weggelassen</translation>
     </message>
     <message>
         <source>Uncertainties of the points</source>
-        <translation type="unfinished"></translation>
+        <translation>Unsicherheiten der Punkte</translation>
     </message>
     <message>
         <source>As stated; or as the distances of the points from their circles see them: stated ones times one common factor, or times the factor of each figure (variance components). Either has the degrees of freedom of its estimate. What all points share stays as stated.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie angegeben; oder wie die Abstände der Punkte von ihren Kreisen sie sehen: die angegebenen mal einem gemeinsamen Faktor oder mal dem Faktor jeder Angabe (Varianzkomponenten). Beide haben die Freiheitsgrade ihrer Schätzung. Was alle Punkte gemeinsam haben, bleibt wie angegeben.</translation>
     </message>
     <message>
         <source>Uncertainties of points and readings</source>
-        <translation type="unfinished"></translation>
+        <translation>Unsicherheiten von Punkten und Ablesungen</translation>
     </message>
     <message>
         <source>As stated; or as the residuals of this fit see them: stated ones times one common factor, or times the factor of each figure (variance components). Either has the degrees of freedom of its estimate. What all poses share stays as stated.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie angegeben; oder wie die Residuen dieser Ausgleichung sie sehen: die angegebenen mal einem gemeinsamen Faktor oder mal dem Faktor jeder Angabe (Varianzkomponenten). Beide haben die Freiheitsgrade ihrer Schätzung. Was alle Posen gemeinsam haben, bleibt wie angegeben.</translation>
     </message>
     <message>
         <source>Stated ones weigh the points and are used as they are; or they are used as the residuals see them: times one common factor, or times one of x and one of y. Either has the degrees of freedom of its estimate. What all points share stays as stated.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die angegebenen gewichten die Punkte und werden verwendet, wie sie sind; oder sie werden verwendet, wie die Residuen sie sehen: mal einem gemeinsamen Faktor oder mal einem von x und einem von y. Beide haben die Freiheitsgrade ihrer Schätzung. Was alle Punkte gemeinsam haben, bleibt wie angegeben.</translation>
     </message>
     <message>
         <source>Accuracy and repeatability of poses</source>
-        <translation type="unfinished"></translation>
+        <translation>Genauigkeit und Wiederholpräzision von Posen</translation>
     </message>
     <message>
         <source>What ISO 9283 asks of a robot, from measured poses: AP and RP, distances, directions of approach, drift; with the uncertainty that few cycles and the instrument leave, and decisions about a maker&apos;s figures.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was ISO 9283 von einem Roboter verlangt, aus gemessenen Posen: AP und RP, Abstände, Anfahrrichtungen, Drift; mit der Unsicherheit, die wenige Zyklen und das Messgerät lassen, und Entscheidungen über Herstellerangaben.</translation>
     </message>
     <message>
         <source>RP of the standard comes out too small from few cycles: by 2 % from 30 and 7 % from 10, where the scatter is alike in all directions. The result is multiplied by what that is for the shape of the scatter seen; the table gives RP as the standard defines it beside it.</source>
-        <translation type="unfinished"></translation>
+        <translation>RP der Norm fällt bei wenigen Zyklen zu klein aus: um 2 % bei 30 und 7 % bei 10, wo die Streuung in allen Richtungen gleich ist. Das Ergebnis wird mit dem multipliziert, was das für die gesehene Gestalt der Streuung ausmacht; die Tabelle gibt daneben RP an, wie die Norm es definiert.</translation>
     </message>
     <message>
         <source>Scatter is taken to be normal. The law of RP for the number of cycles and the shape of the scatter comes from up to 4,000 simulated campaigns, always the same ones.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Streuung gilt als normal. Die Verteilung von RP für die Anzahl der Zyklen und die Gestalt der Streuung kommt aus bis zu 4000 simulierten Kampagnen, immer denselben.</translation>
     </message>
     <message>
         <source>Limits and numbers of cycles of the standard are not built in: what is held against a figure is what is entered. Formulas of directions, distances and drift are those in common use; hold them against the text of the standard before a sheet names it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Grenzen und Zyklenzahlen der Norm sind nicht eingebaut: Verglichen wird mit dem, was eingegeben ist. Die Formeln für Richtungen, Abstände und Drift sind die gebräuchlichen; mit dem Text der Norm vergleichen, bevor ein Blatt sie nennt.</translation>
     </message>
     <message>
         <source>RP² is split between robot and instrument as if both scattered in one shape.</source>
-        <translation type="unfinished"></translation>
+        <translation>RP² wird zwischen Roboter und Messgerät aufgeteilt, als streuten beide in einer Gestalt.</translation>
     </message>
     <message>
         <source>Commanded poses</source>
-        <translation type="unfinished"></translation>
+        <translation>Sollposen</translation>
     </message>
     <message>
         <source>Where the robot was sent to.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wohin der Roboter geschickt wurde.</translation>
     </message>
     <message>
         <source>Name, unique: P1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Name, eindeutig: P1.</translation>
     </message>
     <message>
         <source>Commanded coordinate x in the base of the robot.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sollkoordinate x in der Basis des Roboters.</translation>
     </message>
     <message>
         <source>Commanded coordinate y in the base of the robot.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sollkoordinate y in der Basis des Roboters.</translation>
     </message>
     <message>
         <source>Commanded coordinate z in the base of the robot.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sollkoordinate z in der Basis des Roboters.</translation>
     </message>
     <message>
         <source>Commanded angle of the orientation; empty: orientations are not evaluated.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sollwinkel der Orientierung; leer: Orientierungen werden nicht ausgewertet.</translation>
     </message>
     <message>
         <source>Attained poses</source>
-        <translation type="unfinished"></translation>
+        <translation>Istposen</translation>
     </message>
     <message>
         <source>A row for every cycle in the order of measurement, typed, pasted or from a CSV file. The coordinates are those of the robot&apos;s base.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Zeile für jeden Zyklus in der Reihenfolge der Messung, eingegeben, eingefügt oder aus einer CSV-Datei. Die Koordinaten sind die der Roboterbasis.</translation>
     </message>
     <message>
         <source>As in the commanded poses.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie in den Sollposen.</translation>
     </message>
     <message>
         <source>From where the pose was approached, where there are several ways; empty: one for all.</source>
-        <translation type="unfinished"></translation>
+        <translation>Von wo die Pose angefahren wurde, wo es mehrere Wege gibt; leer: einer für alle.</translation>
     </message>
     <message>
         <source>Of the series of cycles, where it is repeated to see a drift; empty: there is one series.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Reihe von Zyklen, wo sie wiederholt wird, um eine Drift zu sehen; leer: Es gibt eine Reihe.</translation>
     </message>
     <message>
         <source>Attained coordinate x in the base of the robot.</source>
-        <translation type="unfinished"></translation>
+        <translation>Istkoordinate x in der Basis des Roboters.</translation>
     </message>
     <message>
         <source>Attained coordinate y in the base of the robot.</source>
-        <translation type="unfinished"></translation>
+        <translation>Istkoordinate y in der Basis des Roboters.</translation>
     </message>
     <message>
         <source>Attained coordinate z in the base of the robot.</source>
-        <translation type="unfinished"></translation>
+        <translation>Istkoordinate z in der Basis des Roboters.</translation>
     </message>
     <message>
         <source>Attained angle of the orientation.</source>
-        <translation type="unfinished"></translation>
+        <translation>Istwinkel der Orientierung.</translation>
     </message>
     <message>
         <source>Pairs of poses whose distance is held against the commanded one, cycle by cycle.</source>
-        <translation type="unfinished"></translation>
+        <translation>Paare von Posen, deren Abstand Zyklus für Zyklus mit dem Sollabstand verglichen wird.</translation>
     </message>
     <message>
         <source>A commanded pose.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Sollpose.</translation>
     </message>
     <message>
         <source>Another one, with as many cycles.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine andere, mit ebenso vielen Zyklen.</translation>
     </message>
     <message>
         <source>u of a measured coordinate</source>
-        <translation type="unfinished"></translation>
+        <translation>u einer gemessenen Koordinate</translation>
     </message>
     <message>
         <source>Standard uncertainty that all cycles of a pose share: of the instrument and of the robot&apos;s base in its frame. It is part of u(AP), not of RP.</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheit, die alle Zyklen einer Pose gemeinsam haben: des Messgeräts und der Roboterbasis in dessen System. Sie ist Teil von u(AP), nicht von RP.</translation>
     </message>
     <message>
         <source>Scatter of the instrument</source>
-        <translation type="unfinished"></translation>
+        <translation>Streuung des Messgeräts</translation>
     </message>
     <message>
         <source>What the instrument scatters by itself is part of RP. Where it is known, RP² less its RP² is that of the robot, if both scatter alike in all directions.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was das Messgerät selbst streut, ist Teil von RP. Wo es bekannt ist, ist RP² abzüglich seines RP² das des Roboters, wenn beide in allen Richtungen gleich streuen.</translation>
     </message>
     <message>
         <source>not taken out</source>
-        <translation type="unfinished"></translation>
+        <translation>nicht herausgerechnet</translation>
     </message>
     <message>
         <source>its RP from a fixed target</source>
-        <translation type="unfinished"></translation>
+        <translation>seine RP an einem festen Zielpunkt</translation>
     </message>
     <message>
         <source>readings of a fixed target</source>
-        <translation type="unfinished"></translation>
+        <translation>Ablesungen eines festen Zielpunktes</translation>
     </message>
     <message>
         <source>RP of the instrument alone</source>
-        <translation type="unfinished"></translation>
+        <translation>RP des Messgeräts allein</translation>
     </message>
     <message>
         <source>l̄ + 3 s of readings of a fixed target, as measured in the cell.</source>
-        <translation type="unfinished"></translation>
+        <translation>l̄ + 3 s von Ablesungen eines festen Zielpunktes, wie in der Zelle gemessen.</translation>
     </message>
     <message>
         <source>Its readings</source>
-        <translation type="unfinished"></translation>
+        <translation>Seine Ablesungen</translation>
     </message>
     <message>
         <source>Number of readings that it is taken from: so well is it known.</source>
-        <translation type="unfinished"></translation>
+        <translation>Anzahl der Ablesungen, aus denen es stammt: So gut ist es bekannt.</translation>
     </message>
     <message>
         <source>Readings of a fixed target</source>
-        <translation type="unfinished"></translation>
+        <translation>Ablesungen eines festen Zielpunktes</translation>
     </message>
     <message>
         <source>Coordinates of a target that does not move, read as the poses were.</source>
-        <translation type="unfinished"></translation>
+        <translation>Koordinaten eines Zielpunktes, der sich nicht bewegt, abgelesen wie die Posen.</translation>
     </message>
     <message>
         <source>Read coordinate x.</source>
-        <translation type="unfinished"></translation>
+        <translation>Abgelesene Koordinate x.</translation>
     </message>
     <message>
         <source>Read coordinate y.</source>
-        <translation type="unfinished"></translation>
+        <translation>Abgelesene Koordinate y.</translation>
     </message>
     <message>
         <source>Read coordinate z.</source>
-        <translation type="unfinished"></translation>
+        <translation>Abgelesene Koordinate z.</translation>
     </message>
     <message>
         <source>Decisions</source>
-        <translation type="unfinished"></translation>
+        <translation>Entscheidungen</translation>
     </message>
     <message>
         <source>Rated AP</source>
-        <translation type="unfinished"></translation>
+        <translation>Nenn-AP</translation>
     </message>
     <message>
         <source>The maker&apos;s figure; empty: nothing is decided.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Herstellerangabe; leer: Nichts wird entschieden.</translation>
     </message>
     <message>
         <source>Rated RP</source>
-        <translation type="unfinished"></translation>
+        <translation>Nenn-RP</translation>
     </message>
     <message>
         <source>Probability of a decision</source>
-        <translation type="unfinished"></translation>
+        <translation>Wahrscheinlichkeit einer Entscheidung</translation>
     </message>
     <message>
         <source>A robot conforms where this is the probability that its figure is not above the rated one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Roboter ist konform, wo dies die Wahrscheinlichkeit ist, dass sein Wert nicht über dem Nennwert liegt.</translation>
     </message>
     <message>
         <source>U of the instrument</source>
-        <translation type="unfinished"></translation>
+        <translation>U des Messgeräts</translation>
     </message>
     <message>
         <source>Expanded uncertainty of the measured position, k = 2; empty: it is not held against AP and RP.</source>
-        <translation type="unfinished"></translation>
+        <translation>Erweiterte Unsicherheit der gemessenen Position, k = 2; leer: Sie wird nicht mit AP und RP verglichen.</translation>
     </message>
     <message>
         <source>Largest ratio of U to AP, RP</source>
-        <translation type="unfinished"></translation>
+        <translation>Größtes Verhältnis von U zu AP, RP</translation>
     </message>
     <message>
         <source>What the standard or the contract allows, as it says it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was die Norm oder der Vertrag zulässt, in deren Worten.</translation>
     </message>
     <message>
         <source>Two-face and length tests of a tracker</source>
-        <translation type="unfinished"></translation>
+        <translation>Zweilagen- und Längenprüfungen eines Trackers</translation>
     </message>
     <message>
         <source>Errors of a laser tracker at the positions of its acceptance test, with the uncertainty of the test, and the decision whether they are within the maximum permissible errors.</source>
-        <translation type="unfinished"></translation>
+        <translation>Abweichungen eines Lasertrackers an den Positionen seiner Annahmeprüfung, mit der Unsicherheit der Prüfung, und die Entscheidung, ob sie innerhalb der Fehlergrenzen liegen.</translation>
     </message>
     <message>
         <source>Positions, numbers of repetitions and limits are those that are entered: none of a standard is built in.</source>
-        <translation type="unfinished"></translation>
+        <translation>Positionen, Anzahlen der Wiederholungen und Grenzen sind die eingegebenen: Keine einer Norm ist eingebaut.</translation>
     </message>
     <message>
         <source>The uncertainty of a test value is what the test adds, not the scatter of the tracker: that is what is tested.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Unsicherheit eines Prüfwerts ist, was die Prüfung hinzufügt, nicht die Streuung des Trackers: Diese wird ja geprüft.</translation>
     </message>
     <message>
         <source>A row for every position, typed, pasted or from a CSV file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Zeile für jede Position, eingegeben, eingefügt oder aus einer CSV-Datei.</translation>
     </message>
     <message>
         <source>Number or name of the position, unique.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nummer oder Name der Position, eindeutig.</translation>
     </message>
     <message>
         <source>Two-face: a fixed target read in both faces. Length: a reference length.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zweilagen: ein fester Zielpunkt, in beiden Lagen abgelesen. Länge: eine Referenzlänge.</translation>
     </message>
     <message>
         <source>two-face</source>
-        <translation type="unfinished"></translation>
+        <translation>Zweilagen</translation>
     </message>
     <message>
         <source>Two-face: distance across the beam between the readings of both faces. Length: as measured.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zweilagen: Abstand quer zum Strahl zwischen den Ablesungen beider Lagen. Länge: wie gemessen.</translation>
     </message>
     <message>
         <source>reference</source>
-        <translation type="unfinished"></translation>
+        <translation>Referenz</translation>
     </message>
     <message>
         <source>Calibrated length, of a length test.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kalibrierte Länge einer Längenprüfung.</translation>
     </message>
     <message>
         <source>range</source>
-        <translation type="unfinished"></translation>
+        <translation>Distanz</translation>
     </message>
     <message>
         <source>Distance of the target, or of the middle of the length, from the tracker.</source>
-        <translation type="unfinished"></translation>
+        <translation>Distanz des Zielpunktes oder der Mitte der Länge vom Tracker.</translation>
     </message>
     <message>
         <source>Its horizontal angle; empty: 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ihr Horizontalwinkel; leer: 0.</translation>
     </message>
     <message>
         <source>Its angle above the horizon; empty: 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ihr Winkel über dem Horizont; leer: 0.</translation>
     </message>
     <message>
         <source>Standard uncertainty of this test value; empty: that of its kind, as below.</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheit dieses Prüfwerts; leer: die seiner Art, wie unten.</translation>
     </message>
     <message>
         <source>MPE</source>
-        <translation type="unfinished"></translation>
+        <translation>MPE</translation>
     </message>
     <message>
         <source>Limit for this position; empty: it follows from constant and slope, as below.</source>
-        <translation type="unfinished"></translation>
+        <translation>Grenze für diese Position; leer: Sie folgt aus Konstante und Steigung, wie unten.</translation>
     </message>
     <message>
         <source>Limits</source>
-        <translation type="unfinished"></translation>
+        <translation>Grenzen</translation>
     </message>
     <message>
         <source>MPE two-face, constant</source>
-        <translation type="unfinished"></translation>
+        <translation>MPE Zweilagen, Konstante</translation>
     </message>
     <message>
         <source>As the maker states it for a two-face test; empty: every two-face test has its own MPE.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie vom Hersteller für eine Zweilagenprüfung angegeben; leer: Jede Zweilagenprüfung hat ihre eigene MPE.</translation>
     </message>
     <message>
         <source>MPE two-face, per metre</source>
-        <translation type="unfinished"></translation>
+        <translation>MPE Zweilagen, je Meter</translation>
     </message>
     <message>
         <source>Times the range of the target.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mal die Distanz des Zielpunktes.</translation>
     </message>
     <message>
         <source>MPE length, constant</source>
-        <translation type="unfinished"></translation>
+        <translation>MPE Länge, Konstante</translation>
     </message>
     <message>
         <source>As the maker states it; empty: every length has its own MPE.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie vom Hersteller angegeben; leer: Jede Länge hat ihre eigene MPE.</translation>
     </message>
     <message>
         <source>MPE length, per metre</source>
-        <translation type="unfinished"></translation>
+        <translation>MPE Länge, je Meter</translation>
     </message>
     <message>
         <source>Times the reference length.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mal die Referenzlänge.</translation>
     </message>
     <message>
         <source>Uncertainty of the test values</source>
-        <translation type="unfinished"></translation>
+        <translation>Unsicherheit der Prüfwerte</translation>
     </message>
     <message>
         <source>u of a two-face value</source>
-        <translation type="unfinished"></translation>
+        <translation>u eines Zweilagenwerts</translation>
     </message>
     <message>
         <source>Standard uncertainty of what the test adds: seat of the reflector, motion of its mount. Not the scatter of the tracker, which is tested.</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheit dessen, was die Prüfung hinzufügt: Sitz des Reflektors, Bewegung seiner Halterung. Nicht die Streuung des Trackers, der geprüft wird.</translation>
     </message>
     <message>
         <source>u of a length</source>
-        <translation type="unfinished"></translation>
+        <translation>u einer Länge</translation>
     </message>
     <message>
         <source>Standard uncertainty of what the test adds to each length: calibration, mounting, temperature. Not the scatter of the tracker.</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheit dessen, was die Prüfung zu jeder Länge hinzufügt: Kalibrierung, Befestigung, Temperatur. Nicht die Streuung des Trackers.</translation>
     </message>
     <message>
         <source>u of the scale of the references</source>
-        <translation type="unfinished"></translation>
+        <translation>u des Maßstabs der Referenzen</translation>
     </message>
     <message>
         <source>A position conforms where this is the probability that its error is within the MPE.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Position ist konform, wo dies die Wahrscheinlichkeit ist, dass ihre Abweichung innerhalb der MPE liegt.</translation>
     </message>
     <message>
         <source>Accuracy and repeatability of a robot</source>
-        <translation type="unfinished"></translation>
+        <translation>Genauigkeit und Wiederholpräzision eines Roboters</translation>
     </message>
     <message>
         <source>AP and RP of ISO 9283 from measured poses, and whether the maker&apos;s figures are met.</source>
-        <translation type="unfinished"></translation>
+        <translation>AP und RP der ISO 9283 aus gemessenen Posen, und ob die Herstellerangaben eingehalten sind.</translation>
     </message>
     <message>
         <source>Acceptance test of a tracker</source>
-        <translation type="unfinished"></translation>
+        <translation>Annahmeprüfung eines Trackers</translation>
     </message>
     <message>
         <source>Two-face and length tests against their limits, with the uncertainty of the test.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zweilagen- und Längenprüfungen gegen ihre Grenzen, mit der Unsicherheit der Prüfung.</translation>
     </message>
     <message>
         <source>Robot at five poses, thirty cycles</source>
-        <translation type="unfinished"></translation>
+        <translation>Roboter in fünf Posen, dreißig Zyklen</translation>
     </message>
     <message>
         <source>An industrial robot, sent thirty times to each of five poses and measured by a laser tracker: AP and RP after ISO 9283 with what thirty cycles and the tracker leave open of them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Industrieroboter, dreißigmal in jede von fünf Posen geschickt und mit einem Lasertracker gemessen: AP und RP nach ISO 9283 mit dem, was dreißig Zyklen und der Tracker daran offenlassen.</translation>
     </message>
     <message>
         <source>From rounds of a total station to a certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>Von Sätzen einer Totalstation zu einem Kalibrierschein</translation>
     </message>
     <message>
         <source>Four rounds of a total station say what its readings are worth: a network takes their figures as seen, a pose takes its points from the network, and the certificate states the pose.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vier Sätze einer Totalstation sagen, was ihre Ablesungen wert sind: Ein Netz übernimmt ihre Angaben wie gesehen, eine Pose nimmt ihre Punkte aus dem Netz, und der Kalibrierschein gibt die Pose an.</translation>
     </message>
     <message>
         <source>Acceptance test of a laser tracker</source>
-        <translation type="unfinished"></translation>
+        <translation>Annahmeprüfung eines Lasertrackers</translation>
     </message>
     <message>
         <source>A laser tracker, tested with fixed reflectors read in both faces from three distances, and with a reference length of 2.3 m.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Lasertracker, geprüft mit festen Reflektoren, in beiden Lagen aus drei Entfernungen abgelesen, und mit einer Referenzlänge von 2.3 m.</translation>
     </message>
     <message>
         <source>%1 is a temperature in %3, and here it would be taken in kelvin (20 degC as 293.15 K): if it is a difference, give it in %4; for its reading in %3 write (%2 - 0 [%3]). Only the ratio of two temperatures in %3 is taken in kelvin</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist eine Temperatur in %3 und würde hier in Kelvin genommen (20 degC als 293.15 K): ist sie eine Differenz, geben Sie sie in %4 an; für ihre Ablesung in %3 schreiben Sie (%2 - 0 [%3]). Nur das Verhältnis zweier Temperaturen in %3 wird in Kelvin genommen</translation>
     </message>
     <message>
         <source>%1 is a multiple of a temperature in %2, which depends on where the scale has its zero: if the temperature is a difference, give it in %3; else multiply its reading, as in 1.5*(t - 0 [%2])</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist ein Vielfaches einer Temperatur in %2, das davon abhängt, wo die Skala ihre Null hat: ist die Temperatur eine Differenz, geben Sie sie in %3 an; sonst multiplizieren Sie ihre Ablesung, etwa 1.5*(t - 0 [%2])</translation>
     </message>
     <message>
         <source>a part (%, ppm) or multiple of a temperature in %1 depends on where the scale has its zero: give the figure in %2</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Teil (%, ppm) oder Vielfaches einer Temperatur in %1 hängt davon ab, wo die Skala ihre Null hat: geben Sie die Zahl in %2 an</translation>
     </message>
     <message>
         <source>a difference: %1 in %2</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Differenz: %1 in %2</translation>
     </message>
     <message>
         <source>column &apos;%1&apos; of &apos;%2&apos; is %3; its unit is missing: write &quot;%4 [%5]&quot;</source>
@@ -16882,711 +16882,711 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     </message>
     <message>
         <source>column &apos;%1&apos; of &apos;%2&apos; is a difference of temperatures: give it in %3, not in %4</source>
-        <translation type="unfinished"></translation>
+        <translation>Spalte &apos;%1&apos; von &apos;%2&apos; ist eine Temperaturdifferenz: geben Sie sie in %3 an, nicht in %4</translation>
     </message>
     <message>
         <source>%1 is a difference of temperatures: give it in %2, not in %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist eine Temperaturdifferenz: geben Sie sie in %2 an, nicht in %3</translation>
     </message>
     <message>
         <source>The figures of the set-up are too far apart in size for %1: the last digits of the estimates change its sensitivity coefficients by more than a tenth. Give coordinates from a place nearby.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Zahlen des Aufbaus liegen in ihrer Größe für %1 zu weit auseinander: Die letzten Ziffern der Schätzwerte ändern dessen Sensitivitätskoeffizienten um mehr als ein Zehntel. Koordinaten von einem nahen Ort aus angeben.</translation>
     </message>
     <message>
         <source>uncertainties as the residuals see them</source>
-        <translation type="unfinished"></translation>
+        <translation>Unsicherheiten, wie die Residuen sie sehen</translation>
     </message>
     <message>
         <source>stated figures of instruments</source>
-        <translation type="unfinished"></translation>
+        <translation>angegebene Kennwerte der Messgeräte</translation>
     </message>
     <message>
         <source>%1 does not see these figures, so they stay as stated here: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 sieht diese Angaben nicht, daher bleiben sie wie hier angegeben: %2</translation>
     </message>
     <message>
         <source>readings of figures that are seen elsewhere are correlated with others here</source>
-        <translation type="unfinished"></translation>
+        <translation>Ablesungen, deren Angaben anderswo gesehen werden, sind hier mit anderen korreliert</translation>
     </message>
     <message>
         <source>the readings from %1 agree if the names %2 and %3 are exchanged there</source>
-        <translation type="unfinished"></translation>
+        <translation>die Ablesungen von %1 stimmen überein, wenn dort die Namen %2 und %3 vertauscht werden</translation>
     </message>
     <message>
         <source>as seen in %1: %2 times what is stated here</source>
-        <translation type="unfinished"></translation>
+        <translation>wie gesehen in %1: %2 mal das hier Angegebene</translation>
     </message>
     <message>
         <source>the only direction of its round, whose orientation is not known</source>
-        <translation type="unfinished"></translation>
+        <translation>die einzige Richtung ihres Satzes, dessen Orientierung nicht bekannt ist</translation>
     </message>
     <message>
         <source>it contradicts the others: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Widerspruch zu den anderen: %1</translation>
     </message>
     <message>
         <source>it contradicts the others: %1; it cannot be told apart from %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Widerspruch zu den anderen: %1; nicht zu trennen von: %2</translation>
     </message>
     <message>
         <source>nothing tells them</source>
-        <translation type="unfinished"></translation>
+        <translation>nichts bestimmt sie</translation>
     </message>
     <message>
         <source>x and y of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>x und y von %1</translation>
     </message>
     <message>
         <source>the height of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>die Höhe von %1</translation>
     </message>
     <message>
         <source>nothing tells it</source>
-        <translation type="unfinished"></translation>
+        <translation>nichts bestimmt sie</translation>
     </message>
     <message>
         <source>its point %1 is left out</source>
-        <translation type="unfinished"></translation>
+        <translation>der Punkt %1 dazu ist weggelassen</translation>
     </message>
     <message>
         <source>the height of %1 is left out</source>
-        <translation type="unfinished"></translation>
+        <translation>die Höhe von %1 ist weggelassen</translation>
     </message>
     <message>
         <source>it misses what the others agree on by %1 m, more than %2 m</source>
-        <translation type="unfinished"></translation>
+        <translation>verfehlt das, worin die anderen übereinstimmen, um %1 m, mehr als %2 m</translation>
     </message>
     <message>
         <source>|w| = %1</source>
-        <translation type="unfinished"></translation>
+        <translation>|w| = %1</translation>
     </message>
     <message>
         <source>%1 times its u in a robust adjustment</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 mal das eigene u in einer robusten Ausgleichung</translation>
     </message>
     <message>
         <source>by hand</source>
-        <translation type="unfinished"></translation>
+        <translation>von Hand</translation>
     </message>
     <message>
         <source>%1 is left out: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist weggelassen: %2</translation>
     </message>
     <message>
         <source>and %1 more are left out, listed with their reasons</source>
-        <translation type="unfinished"></translation>
+        <translation>und %1 weitere sind weggelassen, mit ihren Gründen aufgeführt</translation>
     </message>
     <message>
         <source>zero c and scale m of distances, index i, refraction k</source>
-        <translation type="unfinished"></translation>
+        <translation>Nullpunkt c und Maßstab m der Distanzen, Index i, Refraktion k</translation>
     </message>
     <message>
         <source>all instruments</source>
-        <translation type="unfinished"></translation>
+        <translation>alle Messgeräte</translation>
     </message>
     <message>
         <source>the zero of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>der Nullpunkt von %1</translation>
     </message>
     <message>
         <source>the scale of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>der Maßstab von %1</translation>
     </message>
     <message>
         <source>the refraction coefficient of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>der Refraktionskoeffizient von %1</translation>
     </message>
     <message>
         <source>the vertical index of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>der Höhenindex von %1</translation>
     </message>
     <message>
         <source>the collimation of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>der Zielachsfehler von %1</translation>
     </message>
     <message>
         <source>%1 is stated twice</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist zweimal angegeben</translation>
     </message>
     <message>
         <source>%1 needs the radius of the Earth</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 braucht den Erdradius</translation>
     </message>
     <message>
         <source>there is no reading that %1 would change: readings say their instrument in their column</source>
-        <translation type="unfinished"></translation>
+        <translation>es gibt keine Ablesung, die %1 ändern würde: Ablesungen nennen ihr Messgerät in ihrer Spalte</translation>
     </message>
     <message>
         <source>outlier? it cannot be told apart from %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausreißer? nicht zu trennen von: %1</translation>
     </message>
     <message>
         <source>Reason</source>
-        <translation type="unfinished"></translation>
+        <translation>Grund</translation>
     </message>
     <message>
         <source>the readings cannot tell %1 apart: add readings that see them differently, or state one of them</source>
-        <translation type="unfinished"></translation>
+        <translation>nach den Ablesungen nicht zu trennen: %1; Ablesungen hinzufügen, die sie verschieden sehen, oder eines davon angeben</translation>
     </message>
     <message>
         <source>nothing tells %1: add readings that see it, or state it with u</source>
-        <translation type="unfinished"></translation>
+        <translation>nichts bestimmt %1: Ablesungen hinzufügen, die es sehen, oder es mit u angeben</translation>
     </message>
     <message>
         <source>%1 readings cannot tell %2 unknowns (coordinates less what the datum takes, orientations, figures of instruments): add %3 readings at least, or state figures with u</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Ablesungen können %2 Unbekannte (Koordinaten abzüglich dessen, was das Datum nimmt, Orientierungen, Kennwerte von Messgeräten) nicht bestimmen: mindestens %3 Ablesungen hinzufügen oder Kennwerte mit u angeben</translation>
     </message>
     <message>
         <source>instruments</source>
-        <translation type="unfinished"></translation>
+        <translation>Messgeräte</translation>
     </message>
     <message>
         <source>base points, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Basispunkte, %1</translation>
     </message>
     <message>
         <source>points of the moving frame, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte des bewegten Systems, %1</translation>
     </message>
     <message>
         <source>joint %1, point %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Gelenk %1, Punkt %2</translation>
     </message>
     <message>
         <source>%1, off the plane</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, aus der Ebene</translation>
     </message>
     <message>
         <source>%1, along the radius</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, entlang des Radius</translation>
     </message>
     <message>
         <source>a thermodynamic temperature: %1 in %2</source>
-        <translation type="unfinished"></translation>
+        <translation>eine thermodynamische Temperatur: %1 in %2</translation>
     </message>
     <message>
         <source>its reading in %2: %1 - 0 [%2]</source>
-        <translation type="unfinished"></translation>
+        <translation>ihre Ablesung in %2: %1 - 0 [%2]</translation>
     </message>
     <message>
         <source>a part of its reading in %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Teil ihrer Ablesung in %1: %2</translation>
     </message>
     <message>
         <source>a temperature: %1 in %2</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Temperatur: %1 in %2</translation>
     </message>
     <message>
         <source>y of the points</source>
-        <translation type="unfinished"></translation>
+        <translation>y der Punkte</translation>
     </message>
     <message>
         <source>x of the points</source>
-        <translation type="unfinished"></translation>
+        <translation>x der Punkte</translation>
     </message>
     <message>
         <source>the distance in row %1 is too long</source>
-        <translation type="unfinished"></translation>
+        <translation>die Distanz in Zeile %1 ist zu lang</translation>
     </message>
     <message>
         <source>%1 distances between %2 pillars are more than a baseline has: at most %3 between %4</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Distanzen zwischen %2 Pfeilern sind mehr, als eine Prüfstrecke hat: höchstens %3 zwischen %4</translation>
     </message>
     <message>
         <source>%1 cycles</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Zyklen</translation>
     </message>
     <message>
         <source>few cycles</source>
-        <translation type="unfinished"></translation>
+        <translation>wenige Zyklen</translation>
     </message>
     <message>
         <source>%1 cycles, normal scatter of the shape seen</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Zyklen, normale Streuung der gesehenen Gestalt</translation>
     </message>
     <message>
         <source>barycentre of %1, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Schwerpunkt von %1, %2</translation>
     </message>
     <message>
         <source>scatter of the cycles</source>
-        <translation type="unfinished"></translation>
+        <translation>Streuung der Zyklen</translation>
     </message>
     <message>
         <source>repeatability of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Wiederholpräzision von %1</translation>
     </message>
     <message>
         <source>mean deviation of angle %1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>mittlere Abweichung des Winkels %1 von %2</translation>
     </message>
     <message>
         <source>repeatability of angle %1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Wiederholpräzision des Winkels %1 von %2</translation>
     </message>
     <message>
         <source>instrument and base of the robot</source>
-        <translation type="unfinished"></translation>
+        <translation>Messgerät und Basis des Roboters</translation>
     </message>
     <message>
         <source>error of the measured place of %1, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Abweichung des gemessenen Ortes von %1, %2</translation>
     </message>
     <message>
         <source>mean distance %1</source>
-        <translation type="unfinished"></translation>
+        <translation>mittlerer Abstand %1</translation>
     </message>
     <message>
         <source>repeatability of distance %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Wiederholpräzision des Abstands %1</translation>
     </message>
     <message>
         <source>repeatability of the instrument alone</source>
-        <translation type="unfinished"></translation>
+        <translation>Wiederholpräzision des Messgeräts allein</translation>
     </message>
     <message>
         <source>ISO 9283, accuracy of a pose</source>
-        <translation type="unfinished"></translation>
+        <translation>ISO 9283, Genauigkeit einer Pose</translation>
     </message>
     <message>
         <source>ISO 9283, repeatability; c = RP(∞)/RP(n) by simulated campaigns</source>
-        <translation type="unfinished"></translation>
+        <translation>ISO 9283, Wiederholpräzision; c = RP(∞)/RP(n) durch simulierte Kampagnen</translation>
     </message>
     <message>
         <source>without the instrument, where both scatter in one shape</source>
-        <translation type="unfinished"></translation>
+        <translation>ohne das Messgerät, wo beide in einer Gestalt streuen</translation>
     </message>
     <message>
         <source>of several directions of approach</source>
-        <translation type="unfinished"></translation>
+        <translation>mehrerer Anfahrrichtungen</translation>
     </message>
     <message>
         <source>distances between poses</source>
-        <translation type="unfinished"></translation>
+        <translation>Abstände zwischen Posen</translation>
     </message>
     <message>
         <source>drift</source>
-        <translation type="unfinished"></translation>
+        <translation>Drift</translation>
     </message>
     <message>
         <source>accuracy of the pose</source>
-        <translation type="unfinished"></translation>
+        <translation>Genauigkeit der Pose</translation>
     </message>
     <message>
         <source>repeatability of the pose</source>
-        <translation type="unfinished"></translation>
+        <translation>Wiederholpräzision der Pose</translation>
     </message>
     <message>
         <source>repeatability of the robot alone</source>
-        <translation type="unfinished"></translation>
+        <translation>Wiederholpräzision des Roboters allein</translation>
     </message>
     <message>
         <source>share of the instrument in RP²</source>
-        <translation type="unfinished"></translation>
+        <translation>Anteil des Messgeräts an RP²</translation>
     </message>
     <message>
         <source>accuracy of angle %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Genauigkeit des Winkels %1</translation>
     </message>
     <message>
         <source>repeatability of angle %1, ±</source>
-        <translation type="unfinished"></translation>
+        <translation>Wiederholpräzision des Winkels %1, ±</translation>
     </message>
     <message>
         <source>variation of the accuracy over the directions of approach</source>
-        <translation type="unfinished"></translation>
+        <translation>Schwankung der Genauigkeit über die Anfahrrichtungen</translation>
     </message>
     <message>
         <source>drift of the accuracy</source>
-        <translation type="unfinished"></translation>
+        <translation>Drift der Genauigkeit</translation>
     </message>
     <message>
         <source>drift of the repeatability</source>
-        <translation type="unfinished"></translation>
+        <translation>Drift der Wiederholpräzision</translation>
     </message>
     <message>
         <source>accuracy of the distance</source>
-        <translation type="unfinished"></translation>
+        <translation>Genauigkeit des Abstands</translation>
     </message>
     <message>
         <source>repeatability of the distance, ±</source>
-        <translation type="unfinished"></translation>
+        <translation>Wiederholpräzision des Abstands, ±</translation>
     </message>
     <message>
         <source>the instrument alone scatters as much as what it measured at %1: nothing is left that could be called the robot&apos;s</source>
-        <translation type="unfinished"></translation>
+        <translation>das Messgerät allein streut so stark wie das, was es an %1 gemessen hat: nichts bleibt übrig, das dem Roboter zuzuschreiben wäre</translation>
     </message>
     <message>
         <source>two series are called &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>zwei Reihen heißen &apos;%1&apos;</translation>
     </message>
     <message>
         <source>there is no commanded pose &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>es gibt keine Sollpose &apos;%1&apos;</translation>
     </message>
     <message>
         <source>%1 has fewer than three cycles</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 hat weniger als drei Zyklen</translation>
     </message>
     <message>
         <source>row %1 has angles, though its pose is commanded without them</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeile %1 hat Winkel, obwohl ihre Sollpose keine hat</translation>
     </message>
     <message>
         <source>row %1 has no angles, though its pose is commanded with them</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeile %1 hat keine Winkel, obwohl ihre Sollpose welche hat</translation>
     </message>
     <message>
         <source>the coordinates at %1 are too large</source>
-        <translation type="unfinished"></translation>
+        <translation>die Koordinaten an %1 sind zu groß</translation>
     </message>
     <message>
         <source>pose &apos;%1&apos; is commanded twice</source>
-        <translation type="unfinished"></translation>
+        <translation>es gibt zwei Sollposen &apos;%1&apos;</translation>
     </message>
     <message>
         <source>pose &apos;%1&apos; is commanded with some angles and without others</source>
-        <translation type="unfinished"></translation>
+        <translation>Sollpose &apos;%1&apos; hat manche Winkel und andere nicht</translation>
     </message>
     <message>
         <source>some poses are commanded with all angles and others are not</source>
-        <translation type="unfinished"></translation>
+        <translation>einige Sollposen haben alle Winkel und andere nicht</translation>
     </message>
     <message>
         <source>no cycles were measured at pose &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>an Pose &apos;%1&apos; wurden keine Zyklen gemessen</translation>
     </message>
     <message>
         <source>a distance from pose &apos;%1&apos; to itself</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Abstand von Pose &apos;%1&apos; zu sich selbst</translation>
     </message>
     <message>
         <source>the distance from &apos;%1&apos; to &apos;%2&apos; is there twice</source>
-        <translation type="unfinished"></translation>
+        <translation>der Abstand von &apos;%1&apos; zu &apos;%2&apos; ist zweimal da</translation>
     </message>
     <message>
         <source>poses &apos;%1&apos; and &apos;%2&apos; have different numbers of cycles</source>
-        <translation type="unfinished"></translation>
+        <translation>die Posen &apos;%1&apos; und &apos;%2&apos; haben verschieden viele Zyklen</translation>
     </message>
     <message>
         <source>the coordinates of the fixed target in row %1 are too large</source>
-        <translation type="unfinished"></translation>
+        <translation>die Koordinaten des festen Zielpunktes in Zeile %1 sind zu groß</translation>
     </message>
     <message>
         <source>U of the instrument and the largest ratio go together: enter both, or neither</source>
-        <translation type="unfinished"></translation>
+        <translation>U des Messgeräts und das größte Verhältnis gehören zusammen: beide eingeben oder keines</translation>
     </message>
     <message>
         <source>AP by scatter alone</source>
-        <translation type="unfinished"></translation>
+        <translation>AP nur durch Streuung</translation>
     </message>
     <message>
         <source>RP, few cycles allowed for</source>
-        <translation type="unfinished"></translation>
+        <translation>RP, wenige Zyklen berücksichtigt</translation>
     </message>
     <message>
         <source>u of it</source>
-        <translation type="unfinished"></translation>
+        <translation>u davon</translation>
     </message>
     <message>
         <source>Where AP is not twice what the scatter of the cycles alone makes of it, it says little about the robot.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wo AP nicht doppelt so groß ist wie das, was die Streuung der Zyklen allein daraus macht, sagt sie wenig über den Roboter.</translation>
     </message>
     <message>
         <source>largest s of an axis</source>
-        <translation type="unfinished"></translation>
+        <translation>größtes s einer Achse</translation>
     </message>
     <message>
         <source>middle</source>
-        <translation type="unfinished"></translation>
+        <translation>mittleres</translation>
     </message>
     <message>
         <source>smallest</source>
-        <translation type="unfinished"></translation>
+        <translation>kleinstes</translation>
     </message>
     <message>
         <source>mean RP over that of many cycles</source>
-        <translation type="unfinished"></translation>
+        <translation>mittlere RP durch die vieler Zyklen</translation>
     </message>
     <message>
         <source>relative u of RP</source>
-        <translation type="unfinished"></translation>
+        <translation>relatives u von RP</translation>
     </message>
     <message>
         <source>conforms</source>
-        <translation type="unfinished"></translation>
+        <translation>konform</translation>
     </message>
     <message>
         <source>does not conform</source>
-        <translation type="unfinished"></translation>
+        <translation>nicht konform</translation>
     </message>
     <message>
         <source>not decided</source>
-        <translation type="unfinished"></translation>
+        <translation>nicht entschieden</translation>
     </message>
     <message>
         <source>rated</source>
-        <translation type="unfinished"></translation>
+        <translation>Nennwert</translation>
     </message>
     <message>
         <source>probability of conformity</source>
-        <translation type="unfinished"></translation>
+        <translation>Konformitätswahrscheinlichkeit</translation>
     </message>
     <message>
         <source>risk that it is wrong</source>
-        <translation type="unfinished"></translation>
+        <translation>Risiko, dass sie falsch ist</translation>
     </message>
     <message>
         <source>cycles that would decide</source>
-        <translation type="unfinished"></translation>
+        <translation>Zyklen zur Entscheidung</translation>
     </message>
     <message>
         <source>AP of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>AP von %1</translation>
     </message>
     <message>
         <source>RP of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>RP von %1</translation>
     </message>
     <message>
         <source>U of the instrument over AP of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>U des Messgeräts durch AP von %1</translation>
     </message>
     <message>
         <source>U of the instrument over RP of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>U des Messgeräts durch RP von %1</translation>
     </message>
     <message>
         <source>poses</source>
-        <translation type="unfinished"></translation>
+        <translation>Posen</translation>
     </message>
     <message>
         <source>mean AP</source>
-        <translation type="unfinished"></translation>
+        <translation>mittlere AP</translation>
     </message>
     <message>
         <source>largest AP</source>
-        <translation type="unfinished"></translation>
+        <translation>größte AP</translation>
     </message>
     <message>
         <source>quantile of AP for the probability of a decision</source>
-        <translation type="unfinished"></translation>
+        <translation>Quantil von AP für die Wahrscheinlichkeit einer Entscheidung</translation>
     </message>
     <message>
         <source>%1 poses are too few to bound this quantile: the largest of %2 poses does, with the same probability.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Posen sind zu wenige, um dieses Quantil zu begrenzen: die größte von %2 Posen tut es, mit derselben Wahrscheinlichkeit.</translation>
     </message>
     <message>
         <source>two-face: distance of both readings across the beam</source>
-        <translation type="unfinished"></translation>
+        <translation>Zweilagen: Abstand beider Ablesungen quer zum Strahl</translation>
     </message>
     <message>
         <source>length; a: scale of the references</source>
-        <translation type="unfinished"></translation>
+        <translation>Länge; a: Maßstab der Referenzen</translation>
     </message>
     <message>
         <source>decision, ISO 14253-1</source>
-        <translation type="unfinished"></translation>
+        <translation>Entscheidung, ISO 14253-1</translation>
     </message>
     <message>
         <source>scale of the reference lengths</source>
-        <translation type="unfinished"></translation>
+        <translation>Maßstab der Referenzlängen</translation>
     </message>
     <message>
         <source>uncertainty of the test</source>
-        <translation type="unfinished"></translation>
+        <translation>Unsicherheit der Prüfung</translation>
     </message>
     <message>
         <source>uncertainty of the test values</source>
-        <translation type="unfinished"></translation>
+        <translation>Unsicherheit der Prüfwerte</translation>
     </message>
     <message>
         <source>measured length at position %1</source>
-        <translation type="unfinished"></translation>
+        <translation>gemessene Länge an Position %1</translation>
     </message>
     <message>
         <source>distance of both faces at position %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Abstand beider Lagen an Position %1</translation>
     </message>
     <message>
         <source>error at position %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Abweichung an Position %1</translation>
     </message>
     <message>
         <source>there are two tests of position &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>es gibt zwei Prüfungen der Position &apos;%1&apos;</translation>
     </message>
     <message>
         <source>the length at position &apos;%1&apos; has no reference</source>
-        <translation type="unfinished"></translation>
+        <translation>die Länge an Position &apos;%1&apos; hat keine Referenz</translation>
     </message>
     <message>
         <source>the two-face test of position &apos;%1&apos; has a reference length</source>
-        <translation type="unfinished"></translation>
+        <translation>die Zweilagenprüfung der Position &apos;%1&apos; hat eine Referenzlänge</translation>
     </message>
     <message>
         <source>nothing says the MPE of position &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>nichts sagt, welche MPE Position &apos;%1&apos; hat</translation>
     </message>
     <message>
         <source>The tracker conforms at every position.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Tracker ist an jeder Position konform.</translation>
     </message>
     <message>
         <source>The tracker does not conform.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Tracker ist nicht konform.</translation>
     </message>
     <message>
         <source>Some positions are not decided: the test is not good enough to tell.</source>
-        <translation type="unfinished"></translation>
+        <translation>Einige Positionen sind nicht entschieden: Die Prüfung ist dafür nicht gut genug.</translation>
     </message>
     <message>
         <source>distance %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Abstand %1</translation>
     </message>
     <message>
         <source>pose %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Pose %1</translation>
     </message>
     <message>
         <source>directions of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Richtungen von %1</translation>
     </message>
     <message>
         <source>drift of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Drift von %1</translation>
     </message>
     <message>
         <source>base of the robot</source>
-        <translation type="unfinished"></translation>
+        <translation>Basis des Roboters</translation>
     </message>
     <message>
         <source>references</source>
-        <translation type="unfinished"></translation>
+        <translation>Referenzen</translation>
     </message>
     <message>
         <source>tracker</source>
-        <translation type="unfinished"></translation>
+        <translation>Tracker</translation>
     </message>
     <message>
         <source>&apos;%1&apos; in row %2 of %3 must be %4, not %5: %6</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; in Zeile %2 von %3 muss %4 sein, nicht %5: %6</translation>
     </message>
     <message>
         <source>%1 must be a number, not %2: %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 muss eine Zahl sein, nicht %2: %3</translation>
     </message>
     <message>
         <source>%1 must be true or false, not %2: %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 muss true oder false sein, nicht %2: %3</translation>
     </message>
     <message>
         <source>a difference of temperatures is given in %1</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Temperaturdifferenz wird in %1 angegeben</translation>
     </message>
     <message>
         <source>write true or false, without quotes</source>
-        <translation type="unfinished"></translation>
+        <translation>schreiben Sie true oder false, ohne Anführungszeichen</translation>
     </message>
     <message>
         <source>write a text in quotes</source>
-        <translation type="unfinished"></translation>
+        <translation>schreiben Sie einen Text in Anführungszeichen</translation>
     </message>
     <message>
         <source>write it in quotes: &quot;%1&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>schreiben Sie es in Anführungszeichen: &quot;%1&quot;</translation>
     </message>
     <message>
         <source>write a number without quotes, such as 0.25, or null where there is none</source>
-        <translation type="unfinished"></translation>
+        <translation>schreiben Sie eine Zahl ohne Anführungszeichen, etwa 0.25, oder null, wo es keine gibt</translation>
     </message>
     <message>
         <source>write %1, without quotes</source>
-        <translation type="unfinished"></translation>
+        <translation>schreiben Sie %1, ohne Anführungszeichen</translation>
     </message>
     <message>
         <source>write a number in %1, the unit of the column, without quotes</source>
-        <translation type="unfinished"></translation>
+        <translation>schreiben Sie eine Zahl in %1, der Einheit der Spalte, ohne Anführungszeichen</translation>
     </message>
     <message>
         <source>write %1, without quotes: the unit of the column is %2</source>
-        <translation type="unfinished"></translation>
+        <translation>schreiben Sie %1, ohne Anführungszeichen: die Einheit der Spalte ist %2</translation>
     </message>
     <message>
         <source>write %1</source>
-        <translation type="unfinished"></translation>
+        <translation>schreiben Sie %1</translation>
     </message>
     <message>
         <source>observations that miss what the others agree on by more than %1 m, and points that nothing tells, are left out, as Gama does</source>
-        <translation type="unfinished"></translation>
+        <translation>Beobachtungen, die das, worin die anderen übereinstimmen, um mehr als %1 m verfehlen, und unbestimmte Punkte werden weggelassen, wie Gama es tut</translation>
     </message>
     <message>
         <source>the file asks for standard deviations a posteriori: for these choose uncertainties as seen, one factor s_0</source>
-        <translation type="unfinished"></translation>
+        <translation>die Datei verlangt Standardabweichungen a posteriori: dafür Unsicherheiten wie gesehen, ein Faktor s_0, wählen</translation>
     </message>
     <message>
         <source>%1: readings are not reduced to an ellipsoid</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: Ablesungen werden nicht auf ein Ellipsoid reduziert</translation>
     </message>
     <message>
         <source>update-constrained-coordinates: the datum keeps the coordinates of the file</source>
-        <translation type="unfinished"></translation>
+        <translation>update-constrained-coordinates: das Datum behält die Koordinaten der Datei</translation>
     </message>
     <message>
         <source>Accuracy and repeatability, from the cycles as they are</source>
-        <translation type="unfinished"></translation>
+        <translation>Genauigkeit und Wiederholpräzision, aus den Zyklen, wie sie sind</translation>
     </message>
     <message>
         <source>cycles</source>
-        <translation type="unfinished"></translation>
+        <translation>Zyklen</translation>
     </message>
     <message>
         <source>What few cycles do to RP</source>
-        <translation type="unfinished"></translation>
+        <translation>Was wenige Zyklen mit RP machen</translation>
     </message>
     <message>
         <source>Conformity with the maker&apos;s figures</source>
-        <translation type="unfinished"></translation>
+        <translation>Konformität mit den Herstellerangaben</translation>
     </message>
     <message>
         <source>decision</source>
-        <translation type="unfinished"></translation>
+        <translation>Entscheidung</translation>
     </message>
     <message>
         <source>Is the instrument good enough</source>
-        <translation type="unfinished"></translation>
+        <translation>Ist das Messgerät gut genug</translation>
     </message>
     <message>
         <source>AP over the poses</source>
-        <translation type="unfinished"></translation>
+        <translation>AP über die Posen</translation>
     </message>
     <message>
         <source>Accuracy and repeatability of the poses</source>
-        <translation type="unfinished"></translation>
+        <translation>Genauigkeit und Wiederholpräzision der Posen</translation>
     </message>
     <message>
         <source>AP, RP</source>
-        <translation type="unfinished"></translation>
+        <translation>AP, RP</translation>
     </message>
     <message>
         <source>AP</source>
-        <translation type="unfinished"></translation>
+        <translation>AP</translation>
     </message>
     <message>
         <source>RP</source>
-        <translation type="unfinished"></translation>
+        <translation>RP</translation>
     </message>
     <message>
         <source>rated AP</source>
-        <translation type="unfinished"></translation>
+        <translation>Nenn-AP</translation>
     </message>
     <message>
         <source>rated RP</source>
-        <translation type="unfinished"></translation>
+        <translation>Nenn-RP</translation>
     </message>
     <message>
         <source>Decisions after ISO 14253-1</source>
-        <translation type="unfinished"></translation>
+        <translation>Entscheidungen nach ISO 14253-1</translation>
     </message>
 </context>
 <context>
@@ -17742,14 +17742,6 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     <message>
         <source>stated as</source>
         <translation>angegeben als</translation>
-    </message>
-    <message>
-        <source>distribution</source>
-        <translation>Verteilung</translation>
-    </message>
-    <message>
-        <source>That Monte Carlo draws</source>
-        <translation>Die Monte Carlo zieht</translation>
     </message>
     <message>
         <source>type</source>
@@ -18099,18 +18091,26 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     </message>
     <message>
         <source>Kept projects</source>
-        <translation type="unfinished"></translation>
+        <translation>Gesicherte Projekte</translation>
     </message>
     <message>
         <source>Recover</source>
-        <translation type="unfinished"></translation>
+        <translation>Wiederherstellen</translation>
     </message>
     <message>
         <source>Later</source>
-        <translation type="unfinished"></translation>
+        <translation>Später</translation>
     </message>
     <message>
         <source>Discard</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>distr.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distribution that Monte Carlo draws</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -18280,7 +18280,7 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     </message>
     <message>
         <source>Show the Field</source>
-        <translation type="unfinished"></translation>
+        <translation>Feld zeigen</translation>
     </message>
 </context>
 <context>
@@ -20151,11 +20151,11 @@ An diesen Stellen steht „nicht angegeben“. Es sind Felder der Seite des Proj
     <name>covaria::ui::InspectorHead</name>
     <message>
         <source>Entry before</source>
-        <translation type="unfinished"></translation>
+        <translation>Voriger Eintrag</translation>
     </message>
     <message>
         <source>Entry after</source>
-        <translation type="unfinished"></translation>
+        <translation>Nächster Eintrag</translation>
     </message>
     <message>
         <source>Properties</source>
@@ -20163,7 +20163,7 @@ An diesen Stellen steht „nicht angegeben“. Es sind Felder der Seite des Proj
     </message>
     <message>
         <source>Project and documents</source>
-        <translation type="unfinished"></translation>
+        <translation>Projekt und Dokumente</translation>
     </message>
 </context>
 <context>
@@ -21588,15 +21588,15 @@ Verwendet von: %1. Dort steht ein Fehler, bis etwas anderes verwendet wird.</tra
     </message>
     <message>
         <source>%1 s left</source>
-        <translation type="unfinished"></translation>
+        <translation>noch %1 s</translation>
     </message>
     <message>
         <source>%1 min left</source>
-        <translation type="unfinished"></translation>
+        <translation>noch %1 min</translation>
     </message>
     <message>
         <source>%1 h left</source>
-        <translation type="unfinished"></translation>
+        <translation>noch %1 h</translation>
     </message>
 </context>
 <context>
@@ -22194,7 +22194,7 @@ Verwendet von: %1. Dort steht ein Fehler, bis etwas anderes verwendet wird.</tra
     </message>
     <message>
         <source>Show All %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle %1 zeigen</translation>
     </message>
 </context>
 <context>

@@ -15182,1699 +15182,1699 @@ nu 18 detrás de cualquiera de ellos: grados de libertad</translation>
     </message>
     <message>
         <source>Geometry from points</source>
-        <translation type="unfinished"></translation>
+        <translation>Geometría a partir de puntos</translation>
     </message>
     <message>
         <source>Lines, planes, circles, spheres, cylinders and cones through measured points by orthogonal least squares: place, direction, diameter and form deviation with the full covariance of the points.</source>
-        <translation type="unfinished"></translation>
+        <translation>Rectas, planos, círculos, esferas, cilindros y conos por puntos medidos, mediante mínimos cuadrados ortogonales: lugar, dirección, diámetro y desviación de forma con la covarianza completa de los puntos.</translation>
     </message>
     <message>
         <source>Points weigh alike, whatever their uncertainty, as in least-squares features of coordinate measurement; their covariance goes into the uncertainty of the results.</source>
-        <translation type="unfinished"></translation>
+        <translation>Los puntos pesan por igual, sea cual sea su incertidumbre, como en los elementos por mínimos cuadrados de la medición por coordenadas; su covarianza entra en la incertidumbre de los resultados.</translation>
     </message>
     <message>
         <source>A circle in space is fitted in two steps, as NIST&apos;s: the plane by all points, then the circle by the points projected onto it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un círculo en el espacio se ajusta en dos pasos, como el de NIST: el plano con todos los puntos y, después, el círculo con los puntos proyectados sobre él.</translation>
     </message>
     <message>
         <source>The direction has its largest component positive; that of a cone leads from the apex into it. &quot;Reversed&quot; turns it. Trials keep the sign of the estimates.</source>
-        <translation type="unfinished"></translation>
+        <translation>La dirección tiene positiva su componente mayor; la de un cono va del vértice hacia su interior. «Invertida» la da la vuelta. Las pruebas conservan el signo de las estimaciones.</translation>
     </message>
     <message>
         <source>The place of a plane or line is the mean of the points; of a cylinder or cone it is the point of the axis next to that mean, so the uncertainty along the axis is that of the mean.</source>
-        <translation type="unfinished"></translation>
+        <translation>El lugar de un plano o una recta es la media de los puntos; el de un cilindro o un cono es el punto del eje más próximo a esa media, de modo que la incertidumbre a lo largo del eje es la de la media.</translation>
     </message>
     <message>
         <source>Every trial of a Monte Carlo run fits its points anew. Form deviations of trials are larger than that of the points as measured, for uncertainty adds to what is form.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cada prueba de una ejecución de Monte Carlo ajusta de nuevo sus puntos. Las desviaciones de forma de las pruebas son mayores que la de los puntos medidos, porque la incertidumbre se suma a lo que es forma.</translation>
     </message>
     <message>
         <source>Features</source>
-        <translation type="unfinished"></translation>
+        <translation>Elementos</translation>
     </message>
     <message>
         <source>Forms that are fitted to points by orthogonal least squares.</source>
-        <translation type="unfinished"></translation>
+        <translation>Formas que se ajustan a puntos por mínimos cuadrados ortogonales.</translation>
     </message>
     <message>
         <source>Name of the feature, unique.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nombre del elemento, único.</translation>
     </message>
     <message>
         <source>form</source>
-        <translation type="unfinished"></translation>
+        <translation>forma</translation>
     </message>
     <message>
         <source>What is fitted to its points. In the xy-plane z does not matter.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lo que se ajusta a sus puntos. En el plano xy, z no importa.</translation>
     </message>
     <message>
         <source>line</source>
-        <translation type="unfinished"></translation>
+        <translation>recta</translation>
     </message>
     <message>
         <source>circle</source>
-        <translation type="unfinished"></translation>
+        <translation>círculo</translation>
     </message>
     <message>
         <source>sphere</source>
-        <translation type="unfinished"></translation>
+        <translation>esfera</translation>
     </message>
     <message>
         <source>cylinder</source>
-        <translation type="unfinished"></translation>
+        <translation>cilindro</translation>
     </message>
     <message>
         <source>cone</source>
-        <translation type="unfinished"></translation>
+        <translation>cono</translation>
     </message>
     <message>
         <source>line in the xy-plane</source>
-        <translation type="unfinished"></translation>
+        <translation>recta en el plano xy</translation>
     </message>
     <message>
         <source>circle in the xy-plane</source>
-        <translation type="unfinished"></translation>
+        <translation>círculo en el plano xy</translation>
     </message>
     <message>
         <source>reversed</source>
-        <translation type="unfinished"></translation>
+        <translation>invertida</translation>
     </message>
     <message>
         <source>The direction is stated with the other sign: the largest component of the direction is negative, that of a cone leads to its apex.</source>
-        <translation type="unfinished"></translation>
+        <translation>La dirección se indica con el signo contrario: la componente mayor de la dirección es negativa, la de un cono va hacia su vértice.</translation>
     </message>
     <message>
         <source>Form deviations</source>
-        <translation type="unfinished"></translation>
+        <translation>Desviaciones de forma</translation>
     </message>
     <message>
         <source>Peak to valley and root mean square of the points&apos; deviations from their feature are results too.</source>
-        <translation type="unfinished"></translation>
+        <translation>También son resultados el pico a valle y la media cuadrática de las desviaciones de los puntos respecto a su elemento.</translation>
     </message>
     <message>
         <source>Measured points of the features, typed, pasted or from a CSV file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Puntos medidos de los elementos, tecleados, pegados o de un archivo CSV.</translation>
     </message>
     <message>
         <source>feature</source>
-        <translation type="unfinished"></translation>
+        <translation>elemento</translation>
     </message>
     <message>
         <source>The feature that it is a point of; empty: that of the row above, of the first row the first.</source>
-        <translation type="unfinished"></translation>
+        <translation>El elemento al que pertenece el punto; vacío: el de la fila anterior, y el primero en la primera fila.</translation>
     </message>
     <message>
         <source>Name of the point, unique in its feature; empty: its number. Of points that an analysis measured the name there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nombre del punto, único en su elemento; vacío: su número. En puntos que midió un análisis, el nombre que tienen allí.</translation>
     </message>
     <message>
         <source>Measured coordinate x; empty where the point is a feature of an analysis, and z in the xy-plane.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada x medida; vacía donde el punto es un elemento de un análisis, y z en el plano xy.</translation>
     </message>
     <message>
         <source>Measured coordinate y; empty where the point is a feature of an analysis, and z in the xy-plane.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada y medida; vacía donde el punto es un elemento de un análisis, y z en el plano xy.</translation>
     </message>
     <message>
         <source>Measured coordinate z; empty where the point is a feature of an analysis, and z in the xy-plane.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada z medida; vacía donde el punto es un elemento de un análisis, y z en el plano xy.</translation>
     </message>
     <message>
         <source>Standard uncertainty of coordinate x of this point; empty: as for all points.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre típica de la coordenada x de este punto; vacío: como para todos los puntos.</translation>
     </message>
     <message>
         <source>Standard uncertainty of coordinate y of this point; empty: as for all points.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre típica de la coordenada y de este punto; vacío: como para todos los puntos.</translation>
     </message>
     <message>
         <source>Standard uncertainty of coordinate z of this point; empty: as for all points.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre típica de la coordenada z de este punto; vacío: como para todos los puntos.</translation>
     </message>
     <message>
         <source>Correlation coefficient of the point&apos;s own x and y.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coeficiente de correlación de x e y propias del punto.</translation>
     </message>
     <message>
         <source>Correlation coefficient of the point&apos;s own x and z.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coeficiente de correlación de x y z propias del punto.</translation>
     </message>
     <message>
         <source>Correlation coefficient of the point&apos;s own y and z.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coeficiente de correlación de y y z propias del punto.</translation>
     </message>
     <message>
         <source>Typed, from the scatter of the points about their feature, or of what measured them: an instrument of the project, or an analysis whose results are points.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tecleada, de la dispersión de los puntos alrededor de su elemento, o de lo que los midió: un instrumento del proyecto, o un análisis cuyos resultados son puntos.</translation>
     </message>
     <message>
         <source>from the scatter about the feature</source>
-        <translation type="unfinished"></translation>
+        <translation>de la dispersión respecto al elemento</translation>
     </message>
     <message>
         <source>an instrument or an analysis</source>
-        <translation type="unfinished"></translation>
+        <translation>un instrumento o un análisis</translation>
     </message>
     <message>
         <source>Of every coordinate of every point that states none, independent of all others.</source>
-        <translation type="unfinished"></translation>
+        <translation>De cada coordenada de cada punto que no indica ninguna, independiente de todas las demás.</translation>
     </message>
     <message>
         <source>Standard uncertainty of a deviation along x that all points share beside their own: where the instrument stands.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre típica de una desviación según x que comparten todos los puntos además de la propia: dónde está el instrumento.</translation>
     </message>
     <message>
         <source>Standard uncertainty of a deviation along y that all points share beside their own: where the instrument stands.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre típica de una desviación según y que comparten todos los puntos además de la propia: dónde está el instrumento.</translation>
     </message>
     <message>
         <source>Common u of z</source>
-        <translation type="unfinished"></translation>
+        <translation>u común de z</translation>
     </message>
     <message>
         <source>Standard uncertainty of a deviation along z that all points share beside their own: where the instrument stands.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre típica de una desviación según z que comparten todos los puntos además de la propia: dónde está el instrumento.</translation>
     </message>
     <message>
         <source>Measured by</source>
-        <translation type="unfinished"></translation>
+        <translation>Medidos por</translation>
     </message>
     <message>
         <source>An instrument that stands somewhere, whose scale and station are alike for all points; or an analysis, whose points are known by their names and are evaluated with this one in every trial.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un instrumento que tiene un emplazamiento, cuya escala y estación son iguales para todos los puntos; o un análisis, cuyos puntos se conocen por sus nombres y se evalúan junto con este en cada prueba.</translation>
     </message>
     <message>
         <source>Relation of features</source>
-        <translation type="unfinished"></translation>
+        <translation>Relación de elementos</translation>
     </message>
     <message>
         <source>Distances, angles, intersections and frames of features and points that other analyses measured, or that are typed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Distancias, ángulos, intersecciones y sistemas de elementos y puntos que midieron otros análisis, o que se teclean.</translation>
     </message>
     <message>
         <source>Features are evaluated with the relations as one model in every trial: what two features have in common, as the station of their instrument, cancels where it cancels.</source>
-        <translation type="unfinished"></translation>
+        <translation>Los elementos se evalúan con las relaciones como un solo modelo en cada prueba: lo que dos elementos tienen en común, como la estación de su instrumento, se cancela donde se cancela.</translation>
     </message>
     <message>
         <source>A direction is that of the feature, with its sign: of a plane the normal. The angle of a line and a plane is 90° less the angle of their directions.</source>
-        <translation type="unfinished"></translation>
+        <translation>Una dirección es la del elemento, con su signo: de un plano, la normal. El ángulo de una recta y un plano es 90° menos el ángulo de sus direcciones.</translation>
     </message>
     <message>
         <source>The angle of nearly parallel directions is never negative, so its estimate is too large where its uncertainty is not small; tilts have signs and no such bias.</source>
-        <translation type="unfinished"></translation>
+        <translation>El ángulo de direcciones casi paralelas nunca es negativo, así que su estimación es demasiado grande cuando su incertidumbre no es pequeña; las inclinaciones tienen signo y carecen de ese sesgo.</translation>
     </message>
     <message>
         <source>A frame&apos;s angles are those of Z-Y-X: R = Rz(γ) Ry(β) Rx(α).</source>
-        <translation type="unfinished"></translation>
+        <translation>Los ángulos de un sistema son los de Z-Y-X: R = Rz(γ) Ry(β) Rx(α).</translation>
     </message>
     <message>
         <source>Results of analyses (features, targets, frames&apos; origins), or typed ones, such as the direction of gravity.</source>
-        <translation type="unfinished"></translation>
+        <translation>Resultados de análisis (elementos, dianas, orígenes de sistemas), o tecleados, como la dirección de la gravedad.</translation>
     </message>
     <message>
         <source>Name of the feature here, unique.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nombre que tiene aquí el elemento, único.</translation>
     </message>
     <message>
         <source>The analysis whose result it is; empty: place and direction are typed.</source>
-        <translation type="unfinished"></translation>
+        <translation>El análisis cuyo resultado es; vacío: el lugar y la dirección se teclean.</translation>
     </message>
     <message>
         <source>Its name in that analysis: a feature, a target, &quot;apex of C1&quot;; empty: the name here.</source>
-        <translation type="unfinished"></translation>
+        <translation>Su nombre en ese análisis: un elemento, una diana, &quot;apex of C1&quot;; vacío: el nombre de aquí.</translation>
     </message>
     <message>
         <source>Typed coordinate x; empty: 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada x tecleada; vacío: 0.</translation>
     </message>
     <message>
         <source>Typed coordinate y; empty: 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada y tecleada; vacío: 0.</translation>
     </message>
     <message>
         <source>Typed coordinate z; empty: 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada z tecleada; vacío: 0.</translation>
     </message>
     <message>
         <source>Typed direction, component x, of any length; empty: it has none.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dirección tecleada, componente x, de cualquier longitud; vacío: no tiene ninguna.</translation>
     </message>
     <message>
         <source>Typed direction, component y, of any length; empty: it has none.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dirección tecleada, componente y, de cualquier longitud; vacío: no tiene ninguna.</translation>
     </message>
     <message>
         <source>Typed direction, component z, of any length; empty: it has none.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dirección tecleada, componente z, de cualquier longitud; vacío: no tiene ninguna.</translation>
     </message>
     <message>
         <source>Standard uncertainty of each typed coordinate; empty: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre típica de cada coordenada tecleada; vacío: ninguna.</translation>
     </message>
     <message>
         <source>Standard uncertainty of the typed direction, of two tilts across it; empty: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre típica de la dirección tecleada, de dos inclinaciones perpendiculares a ella; vacío: ninguna.</translation>
     </message>
     <message>
         <source>Relations</source>
-        <translation type="unfinished"></translation>
+        <translation>Relaciones</translation>
     </message>
     <message>
         <source>Distances, angles, intersections and frames of the features.</source>
-        <translation type="unfinished"></translation>
+        <translation>Distancias, ángulos, intersecciones y sistemas de los elementos.</translation>
     </message>
     <message>
         <source>Name of the result, unique.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nombre del resultado, único.</translation>
     </message>
     <message>
         <source>relation</source>
-        <translation type="unfinished"></translation>
+        <translation>relación</translation>
     </message>
     <message>
         <source>What is wanted of the features.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lo que se busca de los elementos.</translation>
     </message>
     <message>
         <source>distance of two places</source>
-        <translation type="unfinished"></translation>
+        <translation>distancia de dos lugares</translation>
     </message>
     <message>
         <source>distance of a place from a plane</source>
-        <translation type="unfinished"></translation>
+        <translation>distancia de un lugar a un plano</translation>
     </message>
     <message>
         <source>distance of a place from a line</source>
-        <translation type="unfinished"></translation>
+        <translation>distancia de un lugar a una recta</translation>
     </message>
     <message>
         <source>distance of two lines</source>
-        <translation type="unfinished"></translation>
+        <translation>distancia de dos rectas</translation>
     </message>
     <message>
         <source>angle of two directions</source>
-        <translation type="unfinished"></translation>
+        <translation>ángulo de dos direcciones</translation>
     </message>
     <message>
         <source>tilts of a direction against another</source>
-        <translation type="unfinished"></translation>
+        <translation>inclinaciones de una dirección respecto a otra</translation>
     </message>
     <message>
         <source>middle of two places</source>
-        <translation type="unfinished"></translation>
+        <translation>punto medio de dos lugares</translation>
     </message>
     <message>
         <source>foot of a place on a plane</source>
-        <translation type="unfinished"></translation>
+        <translation>pie de un lugar en un plano</translation>
     </message>
     <message>
         <source>foot of a place on a line</source>
-        <translation type="unfinished"></translation>
+        <translation>pie de un lugar en una recta</translation>
     </message>
     <message>
         <source>intersection of a line and a plane</source>
-        <translation type="unfinished"></translation>
+        <translation>intersección de una recta y un plano</translation>
     </message>
     <message>
         <source>intersection of two lines</source>
-        <translation type="unfinished"></translation>
+        <translation>intersección de dos rectas</translation>
     </message>
     <message>
         <source>intersection of three planes</source>
-        <translation type="unfinished"></translation>
+        <translation>intersección de tres planos</translation>
     </message>
     <message>
         <source>line of two planes</source>
-        <translation type="unfinished"></translation>
+        <translation>recta de dos planos</translation>
     </message>
     <message>
         <source>frame: origin, z, x</source>
-        <translation type="unfinished"></translation>
+        <translation>sistema: origen, z, x</translation>
     </message>
     <message>
         <source>frame: origin on a plane, its normal z, x</source>
-        <translation type="unfinished"></translation>
+        <translation>sistema: origen en un plano, su normal z, x</translation>
     </message>
     <message>
         <source>A feature: the place, line or plane that is asked about; of a frame its origin.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un elemento: el lugar, la recta o el plano por el que se pregunta; de un sistema, su origen.</translation>
     </message>
     <message>
         <source>Another one: what it is related to; of a frame the direction of z.</source>
-        <translation type="unfinished"></translation>
+        <translation>Otro: aquello con lo que se relaciona; de un sistema, la dirección de z.</translation>
     </message>
     <message>
         <source>third</source>
-        <translation type="unfinished"></translation>
+        <translation>tercero</translation>
     </message>
     <message>
         <source>A third one: the third plane; of a frame and of tilts what x points to, along its direction if it has one, else towards its place.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un tercero: el tercer plano; de un sistema y de inclinaciones, hacia dónde apunta x: según su dirección, si tiene una, y si no, hacia su lugar.</translation>
     </message>
     <message>
         <source>Distance meter on a baseline</source>
-        <translation type="unfinished"></translation>
+        <translation>Distanciómetro en una línea base</translation>
     </message>
     <message>
         <source>Zero offset and standard deviation of a distance meter from distances between all pairs of pillars on a line, with their uncertainties, and the statistical tests of ISO 17123-4; its scale, where lengths of the baseline are known.</source>
-        <translation type="unfinished"></translation>
+        <translation>Desviación de cero y desviación típica de un distanciómetro a partir de distancias entre todos los pares de pilares de una recta, con sus incertidumbres, y las pruebas estadísticas de ISO 17123-4; su escala, donde se conocen longitudes de la línea base.</translation>
     </message>
     <message>
         <source>All pairs of n pillars, read once each: the cofactor of the zero offset is 6/((n − 1)(n − 2)) whatever the lengths, and there are n (n − 1)/2 − n degrees of freedom.</source>
-        <translation type="unfinished"></translation>
+        <translation>Todos los pares de n pilares, leídos una vez cada uno: el cofactor de la desviación de cero es 6/((n − 1)(n − 2)), sean cuales sean las longitudes, y hay n (n − 1)/2 − n grados de libertad.</translation>
     </message>
     <message>
         <source>Limits of the tests are quantiles of chi-squared, F and t for the degrees of freedom that the readings have, not figures of a table.</source>
-        <translation type="unfinished"></translation>
+        <translation>Los límites de las pruebas son cuantiles de chi cuadrado, F y t para los grados de libertad que tienen las lecturas, no cifras de una tabla.</translation>
     </message>
     <message>
         <source>Any set of readings that tells the unknowns is adjusted, also one with pairs left out or repeated; readings that repeat without the instrument set up anew agree better than the instrument does.</source>
-        <translation type="unfinished"></translation>
+        <translation>Se compensa cualquier conjunto de lecturas que determine las incógnitas, también uno con pares omitidos o repetidos; las lecturas que se repiten sin volver a estacionar el instrumento concuerdan mejor que el propio instrumento.</translation>
     </message>
     <message>
         <source>Distances count with equal weights.</source>
-        <translation type="unfinished"></translation>
+        <translation>Las distancias cuentan con pesos iguales.</translation>
     </message>
     <message>
         <source>Distances between pillars that stand on a line, best of all pairs, each with the instrument set up anew.</source>
-        <translation type="unfinished"></translation>
+        <translation>Distancias entre pilares situados en una recta; lo mejor son todos los pares, cada uno con el instrumento estacionado de nuevo.</translation>
     </message>
     <message>
         <source>Pillar of the instrument.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pilar del instrumento.</translation>
     </message>
     <message>
         <source>Pillar of the reflector.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pilar del reflector.</translation>
     </message>
     <message>
         <source>As read, with the correction for the atmosphere and without one for the zero.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tal como se leyó, con la corrección por la atmósfera y sin corrección por el cero.</translation>
     </message>
     <message>
         <source>Of the reflector above the instrument, where the distance is a slope distance; empty: it is horizontal.</source>
-        <translation type="unfinished"></translation>
+        <translation>Del reflector sobre el instrumento, donde la distancia es inclinada; vacío: es horizontal.</translation>
     </message>
     <message>
         <source>Tests</source>
-        <translation type="unfinished"></translation>
+        <translation>Pruebas</translation>
     </message>
     <message>
         <source>σ, stated or wanted</source>
-        <translation type="unfinished"></translation>
+        <translation>σ, indicada o deseada</translation>
     </message>
     <message>
         <source>Standard deviation of one distance that test a holds s against: of the maker, or what a job needs. Empty: no test a.</source>
-        <translation type="unfinished"></translation>
+        <translation>Desviación típica de una distancia con la que la prueba a contrasta s: la del fabricante, o la que un trabajo necesita. Vacío: sin prueba a.</translation>
     </message>
     <message>
         <source>s of another campaign</source>
-        <translation type="unfinished"></translation>
+        <translation>s de otra campaña</translation>
     </message>
     <message>
         <source>Experimental standard deviation that test b compares s with: of another instrument or day. Empty: no test b.</source>
-        <translation type="unfinished"></translation>
+        <translation>Desviación típica experimental con la que la prueba b compara s: de otro instrumento o de otro día. Vacío: sin prueba b.</translation>
     </message>
     <message>
         <source>Its degrees of freedom</source>
-        <translation type="unfinished"></translation>
+        <translation>Sus grados de libertad</translation>
     </message>
     <message>
         <source>Of the s of the other campaign: 14 for all pairs of seven pillars.</source>
-        <translation type="unfinished"></translation>
+        <translation>De la s de la otra campaña: 14 para todos los pares de siete pilares.</translation>
     </message>
     <message>
         <source>Probability of the tests</source>
-        <translation type="unfinished"></translation>
+        <translation>Probabilidad de las pruebas</translation>
     </message>
     <message>
         <source>1 − α: an instrument that is as good as stated passes a test with this probability.</source>
-        <translation type="unfinished"></translation>
+        <translation>1 − α: un instrumento tan bueno como se indica supera una prueba con esta probabilidad.</translation>
     </message>
     <message>
         <source>Scale</source>
-        <translation type="unfinished"></translation>
+        <translation>Escala</translation>
     </message>
     <message>
         <source>Scale correction</source>
-        <translation type="unfinished"></translation>
+        <translation>Corrección de escala</translation>
     </message>
     <message>
         <source>Readings alone say nothing of it: it needs lengths of the baseline that are known better.</source>
-        <translation type="unfinished"></translation>
+        <translation>Las lecturas por sí solas no dicen nada de ella: necesita longitudes de la línea base que se conozcan mejor.</translation>
     </message>
     <message>
         <source>not asked for</source>
-        <translation type="unfinished"></translation>
+        <translation>no se pide</translation>
     </message>
     <message>
         <source>by reference lengths</source>
-        <translation type="unfinished"></translation>
+        <translation>por longitudes de referencia</translation>
     </message>
     <message>
         <source>Reference lengths</source>
-        <translation type="unfinished"></translation>
+        <translation>Longitudes de referencia</translation>
     </message>
     <message>
         <source>Horizontal lengths from the pillar where the line begins, of a certificate.</source>
-        <translation type="unfinished"></translation>
+        <translation>Longitudes horizontales desde el pilar donde empieza la línea, de un certificado.</translation>
     </message>
     <message>
         <source>pillar</source>
-        <translation type="unfinished"></translation>
+        <translation>pilar</translation>
     </message>
     <message>
         <source>As in the readings.</source>
-        <translation type="unfinished"></translation>
+        <translation>Como en las lecturas.</translation>
     </message>
     <message>
         <source>From the pillar where the line begins.</source>
-        <translation type="unfinished"></translation>
+        <translation>Desde el pilar donde empieza la línea.</translation>
     </message>
     <message>
         <source>Standard uncertainty of this length alone, beside what all share; empty: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre típica de esta longitud sola, además de lo que comparten todas; vacío: ninguna.</translation>
     </message>
     <message>
         <source>u of the baseline&apos;s scale</source>
-        <translation type="unfinished"></translation>
+        <translation>u de la escala de la línea base</translation>
     </message>
     <message>
         <source>Relative standard uncertainty that all reference lengths share.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre típica relativa que comparten todas las longitudes de referencia.</translation>
     </message>
     <message>
         <source>u of the correction for the atmosphere</source>
-        <translation type="unfinished"></translation>
+        <translation>u de la corrección por la atmósfera</translation>
     </message>
     <message>
         <source>Relative standard uncertainty that all readings share: 1 °C or 3.5 hPa are about 1 ppm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre típica relativa que comparten todas las lecturas: 1 °C o 3.5 hPa son aproximadamente 1 ppm.</translation>
     </message>
     <message>
         <source>Planes, circles, axes and balls through measured points, with form deviations.</source>
-        <translation type="unfinished"></translation>
+        <translation>Planos, círculos, ejes y bolas por puntos medidos, con desviaciones de forma.</translation>
     </message>
     <message>
         <source>Frame, distances and angles of features</source>
-        <translation type="unfinished"></translation>
+        <translation>Sistema, distancias y ángulos de elementos</translation>
     </message>
     <message>
         <source>A frame as shops make it of a face, a bore and a hole, and where other features are from it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un sistema como se forma en el taller con una cara, un agujero central y un taladro, y dónde están otros elementos respecto a él.</translation>
     </message>
     <message>
         <source>Zero offset and standard deviation of a distance meter, with the tests of ISO 17123-4.</source>
-        <translation type="unfinished"></translation>
+        <translation>Desviación de cero y desviación típica de un distanciómetro, con las pruebas de ISO 17123-4.</translation>
     </message>
     <message>
         <source>Total station on a baseline of seven pillars</source>
-        <translation type="unfinished"></translation>
+        <translation>Estación total en una línea base de siete pilares</translation>
     </message>
     <message>
         <source>The distance meter of a total station, tested after ISO 17123-4 with distances between all pairs of seven pillars.</source>
-        <translation type="unfinished"></translation>
+        <translation>El distanciómetro de una estación total, comprobado según ISO 17123-4 con distancias entre todos los pares de siete pilares.</translation>
     </message>
     <message>
         <source>Flange and tool of a robot, from measured points</source>
-        <translation type="unfinished"></translation>
+        <translation>Brida y herramienta de un robot, a partir de puntos medidos</translation>
     </message>
     <message>
         <source>A laser tracker probed the flange of a robot: its face, its bore, a dowel hole, the shank of a tool and the ball at its tip.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un seguidor láser palpó la brida de un robot: su cara, su agujero central, un agujero de pasador, el vástago de una herramienta y la bola de su punta.</translation>
     </message>
     <message>
         <source>Form deviations of a turned part</source>
-        <translation type="unfinished"></translation>
+        <translation>Desviaciones de forma de una pieza torneada</translation>
     </message>
     <message>
         <source>A coordinate measuring machine probed a seat, a taper, a face and a groove.</source>
-        <translation type="unfinished"></translation>
+        <translation>Una máquina de medición por coordenadas palpó un asiento, un cono, una cara y una ranura.</translation>
     </message>
     <message>
         <source>%1, point %2, coordinate %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, punto %2, coordenada %3</translation>
     </message>
     <message>
         <source>common deviation of all points along %1</source>
-        <translation type="unfinished"></translation>
+        <translation>desviación común de todos los puntos según %1</translation>
     </message>
     <message>
         <source>scatter of the points of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>dispersión de los puntos de %1</translation>
     </message>
     <message>
         <source>residuals of %1 points about %2</source>
-        <translation type="unfinished"></translation>
+        <translation>residuos de %1 puntos respecto a %2</translation>
     </message>
     <message>
         <source>an instrument measures points in space; &apos;%1&apos; lies in the xy-plane: state the uncertainty of its points</source>
-        <translation type="unfinished"></translation>
+        <translation>un instrumento mide puntos en el espacio; &apos;%1&apos; está en el plano xy: indique la incertidumbre de sus puntos</translation>
     </message>
     <message>
         <source>orthogonal distances of the points from the feature</source>
-        <translation type="unfinished"></translation>
+        <translation>distancias ortogonales de los puntos al elemento</translation>
     </message>
     <message>
         <source>circle in its plane, cylinder</source>
-        <translation type="unfinished"></translation>
+        <translation>círculo en su plano, cilindro</translation>
     </message>
     <message>
         <source>cone, half angle φ</source>
-        <translation type="unfinished"></translation>
+        <translation>cono, semiángulo φ</translation>
     </message>
     <message>
         <source>form deviations of m points</source>
-        <translation type="unfinished"></translation>
+        <translation>desviaciones de forma de m puntos</translation>
     </message>
     <message>
         <source>two features are called &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>dos elementos se llaman &apos;%1&apos;</translation>
     </message>
     <message>
         <source>%1 has no feature called &apos;%2&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 no tiene ningún elemento llamado &apos;%2&apos;</translation>
     </message>
     <message>
         <source>%1 has no value</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 no tiene valor</translation>
     </message>
     <message>
         <source>the direction of &apos;%1&apos; is zero</source>
-        <translation type="unfinished"></translation>
+        <translation>la dirección de &apos;%1&apos; es cero</translation>
     </message>
     <message>
         <source>typed coordinate</source>
-        <translation type="unfinished"></translation>
+        <translation>coordenada tecleada</translation>
     </message>
     <message>
         <source>tilt of the typed direction</source>
-        <translation type="unfinished"></translation>
+        <translation>inclinación de la dirección tecleada</translation>
     </message>
     <message>
         <source>%1, direction along %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, dirección según %2</translation>
     </message>
     <message>
         <source>two relations are called &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>dos relaciones se llaman &apos;%1&apos;</translation>
     </message>
     <message>
         <source>&apos;%1&apos; takes two features; leave the third empty</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; toma dos elementos; deje vacío el tercero</translation>
     </message>
     <message>
         <source>&apos;%1&apos; needs three features</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; necesita tres elementos</translation>
     </message>
     <message>
         <source>there is no feature &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>no hay ningún elemento &apos;%1&apos;</translation>
     </message>
     <message>
         <source>&apos;%1&apos; has no direction, which &apos;%2&apos; needs</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; no tiene dirección, y &apos;%2&apos; la necesita</translation>
     </message>
     <message>
         <source>%1, distance</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, distancia</translation>
     </message>
     <message>
         <source>%1, angle</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, ángulo</translation>
     </message>
     <message>
         <source>%1, tilt towards x</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, inclinación hacia x</translation>
     </message>
     <message>
         <source>%1, tilt towards y</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, inclinación hacia y</translation>
     </message>
     <message>
         <source>%1, rotation about %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, rotación alrededor de %2</translation>
     </message>
     <message>
         <source>the two places are the same</source>
-        <translation type="unfinished"></translation>
+        <translation>los dos lugares coinciden</translation>
     </message>
     <message>
         <source>the place is on the line</source>
-        <translation type="unfinished"></translation>
+        <translation>el lugar está en la recta</translation>
     </message>
     <message>
         <source>the two are parallel</source>
-        <translation type="unfinished"></translation>
+        <translation>los dos son paralelos</translation>
     </message>
     <message>
         <source>the directions are parallel: ask for tilts, which have a sign</source>
-        <translation type="unfinished"></translation>
+        <translation>las direcciones son paralelas: pida inclinaciones, que tienen signo</translation>
     </message>
     <message>
         <source>the line is parallel to the plane</source>
-        <translation type="unfinished"></translation>
+        <translation>la recta es paralela al plano</translation>
     </message>
     <message>
         <source>the three planes have no common point</source>
-        <translation type="unfinished"></translation>
+        <translation>los tres planos no tienen ningún punto común</translation>
     </message>
     <message>
         <source>x and z are parallel</source>
-        <translation type="unfinished"></translation>
+        <translation>x y z son paralelas</translation>
     </message>
     <message>
         <source>&apos;%1&apos;: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos;: %2</translation>
     </message>
     <message>
         <source>elementary geometry; p places, n unit directions of the first, second, third</source>
-        <translation type="unfinished"></translation>
+        <translation>geometría elemental; p lugares, n direcciones unitarias del primero, segundo, tercero</translation>
     </message>
     <message>
         <source>from a plane; from a line the length across n₂</source>
-        <translation type="unfinished"></translation>
+        <translation>a un plano; a una recta, la longitud perpendicular a n₂</translation>
     </message>
     <message>
         <source>between lines</source>
-        <translation type="unfinished"></translation>
+        <translation>entre rectas</translation>
     </message>
     <message>
         <source>tilts, z = n₂</source>
-        <translation type="unfinished"></translation>
+        <translation>inclinaciones, z = n₂</translation>
     </message>
     <message>
         <source>frames, v of the third</source>
-        <translation type="unfinished"></translation>
+        <translation>sistemas, v del tercero</translation>
     </message>
     <message>
         <source>centre of %1, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>centro de %1, %2</translation>
     </message>
     <message>
         <source>point on the axis of %1, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>punto del eje de %1, %2</translation>
     </message>
     <message>
         <source>place of %1, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>lugar de %1, %2</translation>
     </message>
     <message>
         <source>point on %1, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>punto de %1, %2</translation>
     </message>
     <message>
         <source>normal of %1, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>normal de %1, %2</translation>
     </message>
     <message>
         <source>direction of the axis of %1, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>dirección del eje de %1, %2</translation>
     </message>
     <message>
         <source>direction of %1, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>dirección de %1, %2</translation>
     </message>
     <message>
         <source>flatness deviation of %1, peak to valley</source>
-        <translation type="unfinished"></translation>
+        <translation>desviación de planitud de %1, pico a valle</translation>
     </message>
     <message>
         <source>straightness deviation of %1, peak to valley</source>
-        <translation type="unfinished"></translation>
+        <translation>desviación de rectitud de %1, pico a valle</translation>
     </message>
     <message>
         <source>roundness deviation of %1, peak to valley</source>
-        <translation type="unfinished"></translation>
+        <translation>desviación de redondez de %1, pico a valle</translation>
     </message>
     <message>
         <source>cylindricity deviation of %1, peak to valley</source>
-        <translation type="unfinished"></translation>
+        <translation>desviación de cilindricidad de %1, pico a valle</translation>
     </message>
     <message>
         <source>form deviation of %1, peak to valley</source>
-        <translation type="unfinished"></translation>
+        <translation>desviación de forma de %1, pico a valle</translation>
     </message>
     <message>
         <source>diameter of %1 at its point</source>
-        <translation type="unfinished"></translation>
+        <translation>diámetro de %1 en su punto</translation>
     </message>
     <message>
         <source>diameter of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>diámetro de %1</translation>
     </message>
     <message>
         <source>angle of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>ángulo de %1</translation>
     </message>
     <message>
         <source>form deviation of %1, root mean square</source>
-        <translation type="unfinished"></translation>
+        <translation>desviación de forma de %1, media cuadrática</translation>
     </message>
     <message>
         <source>apex of %1, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>vértice de %1, %2</translation>
     </message>
     <message>
         <source>two points of &apos;%1&apos; are called &apos;%2&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>dos puntos de &apos;%1&apos; se llaman &apos;%2&apos;</translation>
     </message>
     <message>
         <source>%1 has no point called &apos;%2&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 no tiene ningún punto llamado &apos;%2&apos;</translation>
     </message>
     <message>
         <source>point &apos;%1&apos; has no coordinate %2</source>
-        <translation type="unfinished"></translation>
+        <translation>al punto &apos;%1&apos; le falta la coordenada %2</translation>
     </message>
     <message>
         <source>&apos;%1&apos; has %2 points; a %3 needs %4 or more</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; tiene %2 puntos; la forma %3 necesita %4 o más</translation>
     </message>
     <message>
         <source>the %1 points of &apos;%2&apos; do not scatter: with so few the form goes through all of them; add points, or state their uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>los %1 puntos de &apos;%2&apos; no tienen dispersión: con tan pocos la forma pasa por todos ellos; añada puntos, o indique su incertidumbre</translation>
     </message>
     <message>
         <source>the points of &apos;%1&apos;: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>los puntos de &apos;%1&apos;: %2</translation>
     </message>
     <message>
         <source>the points of &apos;%1&apos; lie exactly on it: their scatter says nothing of their uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>los puntos de &apos;%1&apos; están exactamente en él: su dispersión no dice nada de su incertidumbre</translation>
     </message>
     <message>
         <source>they are so nearly flat or straight that they determine no radius</source>
-        <translation type="unfinished"></translation>
+        <translation>están tan cerca de un plano o una recta que no determinan ningún radio</translation>
     </message>
     <message>
         <source>no %1 that fits them was found</source>
-        <translation type="unfinished"></translation>
+        <translation>no se halló ninguna forma (%1) que se les ajuste</translation>
     </message>
     <message>
         <source>all of them are the same</source>
-        <translation type="unfinished"></translation>
+        <translation>todos coinciden</translation>
     </message>
     <message>
         <source>they are too far from each other</source>
-        <translation type="unfinished"></translation>
+        <translation>están demasiado separados entre sí</translation>
     </message>
     <message>
         <source>they lie on a straight line</source>
-        <translation type="unfinished"></translation>
+        <translation>están en una recta</translation>
     </message>
     <message>
         <source>they lie on a plane</source>
-        <translation type="unfinished"></translation>
+        <translation>están en un plano</translation>
     </message>
     <message>
         <source>How well the points determine the features</source>
-        <translation type="unfinished"></translation>
+        <translation>Lo bien que los puntos determinan los elementos</translation>
     </message>
     <message>
         <source>at a standard deviation of 1 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>con una desviación típica de 1 mm</translation>
     </message>
     <message>
         <source>at the scatter of the points</source>
-        <translation type="unfinished"></translation>
+        <translation>con la dispersión de los puntos</translation>
     </message>
     <message>
         <source>Standard uncertainties that independent deviations of all coordinates alike would give, first with a standard deviation of 1 mm: they depend on where the points are alone. Places and tilts are along the directions in which they are largest and smallest.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbres típicas que darían desviaciones independientes e iguales de todas las coordenadas, primero con una desviación típica de 1 mm: solo dependen de dónde están los puntos. Los lugares y las inclinaciones son según las direcciones en que son mayores y menores.</translation>
     </message>
     <message>
         <source>place across the axis</source>
-        <translation type="unfinished"></translation>
+        <translation>lugar perpendicular al eje</translation>
     </message>
     <message>
         <source>place</source>
-        <translation type="unfinished"></translation>
+        <translation>lugar</translation>
     </message>
     <message>
         <source>offset across the line</source>
-        <translation type="unfinished"></translation>
+        <translation>desplazamiento transversal</translation>
     </message>
     <message>
         <source>offset along the normal</source>
-        <translation type="unfinished"></translation>
+        <translation>desplazamiento según la normal</translation>
     </message>
     <message>
         <source>diameter</source>
-        <translation type="unfinished"></translation>
+        <translation>diámetro</translation>
     </message>
     <message>
         <source>angle of the cone</source>
-        <translation type="unfinished"></translation>
+        <translation>ángulo del cono</translation>
     </message>
     <message>
         <source>correlation of diameter and centre along the middle of the arc</source>
-        <translation type="unfinished"></translation>
+        <translation>correlación del diámetro y el centro según la mitad del arco</translation>
     </message>
     <message>
         <source>angle to both sides of that middle within which the points are</source>
-        <translation type="unfinished"></translation>
+        <translation>ángulo a ambos lados de esa mitad dentro del cual están los puntos</translation>
     </message>
     <message>
         <source>Features and the scatter of their points</source>
-        <translation type="unfinished"></translation>
+        <translation>Elementos y dispersión de sus puntos</translation>
     </message>
     <message>
         <source>largest deviation</source>
-        <translation type="unfinished"></translation>
+        <translation>desviación máxima</translation>
     </message>
     <message>
         <source>s is the root of the sum of squares of the deviations over the degrees of freedom.</source>
-        <translation type="unfinished"></translation>
+        <translation>s es la raíz de la suma de los cuadrados de las desviaciones dividida por los grados de libertad.</translation>
     </message>
     <message>
         <source>Deviations of the points from their features</source>
-        <translation type="unfinished"></translation>
+        <translation>Desviaciones de los puntos respecto a sus elementos</translation>
     </message>
     <message>
         <source>above the plane of the circle</source>
-        <translation type="unfinished"></translation>
+        <translation>sobre el plano del círculo</translation>
     </message>
     <message>
         <source>Positive outside of a circle, sphere, cylinder or cone and on the side of a plane to which its normal points; of a line in space the distance.</source>
-        <translation type="unfinished"></translation>
+        <translation>Positiva fuera de un círculo, esfera, cilindro o cono y en el lado de un plano hacia el que apunta su normal; de una recta en el espacio, la distancia.</translation>
     </message>
     <message>
         <source>the points of &apos;%1&apos; are within %2° of the middle of their arc: its diameter has %3 times the standard uncertainty of a coordinate and correlates with the place of the centre by %4</source>
-        <translation type="unfinished"></translation>
+        <translation>los puntos de &apos;%1&apos; están a menos de %2° de la mitad de su arco: su diámetro tiene %3 veces la incertidumbre típica de una coordenada y se correlaciona con el lugar del centro con %4</translation>
     </message>
     <message>
         <source>apex of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>vértice de %1</translation>
     </message>
     <message>
         <source>all pairs of pillars, ISO 17123-4</source>
-        <translation type="unfinished"></translation>
+        <translation>todos los pares de pilares, ISO 17123-4</translation>
     </message>
     <message>
         <source>N distances between n pillars; JCGM 100 H.3.2</source>
-        <translation type="unfinished"></translation>
+        <translation>N distancias entre n pilares; JCGM 100 H.3.2</translation>
     </message>
     <message>
         <source>JCGM 100 E.4.3</source>
-        <translation type="unfinished"></translation>
+        <translation>JCGM 100 E.4.3</translation>
     </message>
     <message>
         <source>scale, by the reference lengths L_j</source>
-        <translation type="unfinished"></translation>
+        <translation>escala, por las longitudes de referencia L_j</translation>
     </message>
     <message>
         <source>scatter of the distances</source>
-        <translation type="unfinished"></translation>
+        <translation>dispersión de las distancias</translation>
     </message>
     <message>
         <source>least squares, residuals of %1 distances</source>
-        <translation type="unfinished"></translation>
+        <translation>mínimos cuadrados, residuos de %1 distancias</translation>
     </message>
     <message>
         <source>zero offset</source>
-        <translation type="unfinished"></translation>
+        <translation>desviación de cero</translation>
     </message>
     <message>
         <source>place of pillar %1</source>
-        <translation type="unfinished"></translation>
+        <translation>lugar del pilar %1</translation>
     </message>
     <message>
         <source>standard deviation of one distance</source>
-        <translation type="unfinished"></translation>
+        <translation>desviación típica de una distancia</translation>
     </message>
     <message>
         <source>few degrees of freedom of s</source>
-        <translation type="unfinished"></translation>
+        <translation>pocos grados de libertad de s</translation>
     </message>
     <message>
         <source>reference lengths and their conditions</source>
-        <translation type="unfinished"></translation>
+        <translation>longitudes de referencia y sus condiciones</translation>
     </message>
     <message>
         <source>scale of the readings by the atmosphere</source>
-        <translation type="unfinished"></translation>
+        <translation>escala de las lecturas por la atmósfera</translation>
     </message>
     <message>
         <source>correction for the atmosphere</source>
-        <translation type="unfinished"></translation>
+        <translation>corrección por la atmósfera</translation>
     </message>
     <message>
         <source>scale of the baseline</source>
-        <translation type="unfinished"></translation>
+        <translation>escala de la línea base</translation>
     </message>
     <message>
         <source>reference length of pillar %1</source>
-        <translation type="unfinished"></translation>
+        <translation>longitud de referencia del pilar %1</translation>
     </message>
     <message>
         <source>reference length</source>
-        <translation type="unfinished"></translation>
+        <translation>longitud de referencia</translation>
     </message>
     <message>
         <source>zero offset, added to a reading</source>
-        <translation type="unfinished"></translation>
+        <translation>desviación de cero, se suma a una lectura</translation>
     </message>
     <message>
         <source>scale correction, times a reading</source>
-        <translation type="unfinished"></translation>
+        <translation>corrección de escala, multiplica una lectura</translation>
     </message>
     <message>
         <source>the readings do not tell the zero offset from the lengths: some line of three pillars must be read whole and in parts</source>
-        <translation type="unfinished"></translation>
+        <translation>las lecturas no distinguen la desviación de cero de las longitudes: alguna recta de tres pilares debe leerse entera y por partes</translation>
     </message>
     <message>
         <source>a distance from pillar &apos;%1&apos; to itself</source>
-        <translation type="unfinished"></translation>
+        <translation>una distancia del pilar &apos;%1&apos; a sí mismo</translation>
     </message>
     <message>
         <source>the height difference in row %1 is not shorter than the slope distance</source>
-        <translation type="unfinished"></translation>
+        <translation>el desnivel de la fila %1 no es menor que la distancia inclinada</translation>
     </message>
     <message>
         <source>a zero offset needs distances between three pillars or more</source>
-        <translation type="unfinished"></translation>
+        <translation>una desviación de cero necesita distancias entre tres pilares o más</translation>
     </message>
     <message>
         <source>%1 distances for %2 lengths and the zero offset leave nothing that would tell the scatter: read more pairs of pillars</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 distancias para %2 longitudes y la desviación de cero no dejan nada que revele la dispersión: lea más pares de pilares</translation>
     </message>
     <message>
         <source>the distances do not connect all pillars</source>
-        <translation type="unfinished"></translation>
+        <translation>las distancias no unen todos los pilares</translation>
     </message>
     <message>
         <source>pillar &apos;%1&apos; has two reference lengths</source>
-        <translation type="unfinished"></translation>
+        <translation>el pilar &apos;%1&apos; tiene dos longitudes de referencia</translation>
     </message>
     <message>
         <source>no reading is to or from pillar &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>ninguna lectura es desde el pilar &apos;%1&apos; o hacia él</translation>
     </message>
     <message>
         <source>reference lengths begin at pillar &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>las longitudes de referencia empiezan en el pilar &apos;%1&apos;</translation>
     </message>
     <message>
         <source>a: s is not larger than the stated σ</source>
-        <translation type="unfinished"></translation>
+        <translation>a: s no es mayor que la σ indicada</translation>
     </message>
     <message>
         <source>b: s and the s of the other campaign are of one σ, s²/s²</source>
-        <translation type="unfinished"></translation>
+        <translation>b: s y la s de la otra campaña son de una misma σ, s²/s²</translation>
     </message>
     <message>
         <source>c: the zero offset is not different from zero</source>
-        <translation type="unfinished"></translation>
+        <translation>c: la desviación de cero no es distinta de cero</translation>
     </message>
     <message>
         <source>A zero offset is seen: add it to readings, or enter it in the instrument.</source>
-        <translation type="unfinished"></translation>
+        <translation>Se ve una desviación de cero: súmela a las lecturas, o introdúzcala en el instrumento.</translation>
     </message>
     <message>
         <source>pillars</source>
-        <translation type="unfinished"></translation>
+        <translation>pilares</translation>
     </message>
     <message>
         <source>s of one distance</source>
-        <translation type="unfinished"></translation>
+        <translation>s de una distancia</translation>
     </message>
     <message>
         <source>standard uncertainty of s</source>
-        <translation type="unfinished"></translation>
+        <translation>incertidumbre típica de s</translation>
     </message>
     <message>
         <source>standard uncertainty of the zero offset</source>
-        <translation type="unfinished"></translation>
+        <translation>incertidumbre típica de la desviación de cero</translation>
     </message>
     <message>
         <source>cofactor of the zero offset</source>
-        <translation type="unfinished"></translation>
+        <translation>cofactor de la desviación de cero</translation>
     </message>
     <message>
         <source>residual over its s</source>
-        <translation type="unfinished"></translation>
+        <translation>residuo dividido por su s</translation>
     </message>
     <message>
         <source>passed</source>
-        <translation type="unfinished"></translation>
+        <translation>superada</translation>
     </message>
     <message>
         <source>not passed</source>
-        <translation type="unfinished"></translation>
+        <translation>no superada</translation>
     </message>
     <message>
         <source>line of the baseline</source>
-        <translation type="unfinished"></translation>
+        <translation>recta de la línea base</translation>
     </message>
     <message>
         <source>baseline</source>
-        <translation type="unfinished"></translation>
+        <translation>línea base</translation>
     </message>
     <message>
         <source>scatter</source>
-        <translation type="unfinished"></translation>
+        <translation>dispersión</translation>
     </message>
     <message>
         <source>the name of the file says that it is a %1</source>
-        <translation type="unfinished"></translation>
+        <translation>según el nombre del archivo, la forma es: %1</translation>
     </message>
     <message>
         <source>the file does not say which form its points have: a %1 is fitted; choose another one in the table of features</source>
-        <translation type="unfinished"></translation>
+        <translation>el archivo no dice qué forma tienen sus puntos: se ajusta la forma %1; elija otra en la tabla de elementos</translation>
     </message>
     <message>
         <source>the first line is not a number of points</source>
-        <translation type="unfinished"></translation>
+        <translation>la primera línea no es un número de puntos</translation>
     </message>
     <message>
         <source>x y z were expected, %1 columns found</source>
-        <translation type="unfinished"></translation>
+        <translation>se esperaban x y z, se hallaron %1 columnas</translation>
     </message>
     <message>
         <source>the first line announces %1 points, but there are %2</source>
-        <translation type="unfinished"></translation>
+        <translation>la primera línea anuncia %1 puntos, pero hay %2</translation>
     </message>
     <message>
         <source>what stands behind the %1 points</source>
-        <translation type="unfinished"></translation>
+        <translation>lo que sigue tras los %1 puntos</translation>
     </message>
     <message>
         <source>%1 points; their uncertainty is taken from their scatter about the form</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 puntos; su incertidumbre se toma de su dispersión respecto a la forma</translation>
     </message>
     <message>
         <source>%1 points; state their uncertainty: the file says nothing of it</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 puntos; indique su incertidumbre: el archivo no dice nada de ella</translation>
     </message>
     <message>
         <source>List of coordinates (NIST .ds)</source>
-        <translation type="unfinished"></translation>
+        <translation>Lista de coordenadas (NIST .ds)</translation>
     </message>
     <message>
         <source>Sheet</source>
-        <translation type="unfinished"></translation>
+        <translation>Hoja</translation>
     </message>
     <message>
         <source>Statistical tests</source>
-        <translation type="unfinished"></translation>
+        <translation>Pruebas estadísticas</translation>
     </message>
     <message>
         <source>test</source>
-        <translation type="unfinished"></translation>
+        <translation>prueba</translation>
     </message>
     <message>
         <source>Lengths of the baseline</source>
-        <translation type="unfinished"></translation>
+        <translation>Longitudes de la línea base</translation>
     </message>
     <message>
         <source>Readings and their residuals</source>
-        <translation type="unfinished"></translation>
+        <translation>Lecturas y sus residuos</translation>
     </message>
     <message>
         <source>Residuals of the distances</source>
-        <translation type="unfinished"></translation>
+        <translation>Residuos de las distancias</translation>
     </message>
     <message>
         <source>−s</source>
-        <translation type="unfinished"></translation>
+        <translation>−s</translation>
     </message>
     <message>
         <source>Uncertainties of the points are used</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbres de los puntos que se usan</translation>
     </message>
     <message>
         <source>As stated; or as the residuals of least-squares frames see them: stated ones times one common factor, or times the factor of each figure (variance components). Either has the degrees of freedom of its estimate. What all points share stays as stated.</source>
-        <translation type="unfinished"></translation>
+        <translation>Las indicadas; o las que ven los residuos de los sistemas por mínimos cuadrados: las indicadas por un factor común, o por el factor de cada cifra (componentes de varianza). Ambas tienen los grados de libertad de su estimación. Lo que comparten todos los puntos queda como se indicó.</translation>
     </message>
     <message>
         <source>Zero, scale, refraction, index and collimation of an instrument are unknowns with or without a prior, which all of its readings share.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cero, escala, refracción, índice y colimación de un instrumento son incógnitas, con o sin distribución a priori, que comparten todas sus lecturas.</translation>
     </message>
     <message>
         <source>Map projections are not part of it: reduce the readings before. The curvature of the Earth counts in zenith angles where its radius is given.</source>
-        <translation type="unfinished"></translation>
+        <translation>Las proyecciones cartográficas no se incluyen: reduzca antes las lecturas. La curvatura de la Tierra cuenta en los ángulos cenitales donde se da su radio.</translation>
     </message>
     <message>
         <source>Which instrument read it: readings of one kind by one instrument rest on one figure when stated uncertainties are held against the residuals, and share its figures.</source>
-        <translation type="unfinished"></translation>
+        <translation>Qué instrumento la leyó: las lecturas de una clase hechas por un instrumento se apoyan en una sola cifra cuando las incertidumbres indicadas se contrastan con los residuos, y comparten las cifras del instrumento.</translation>
     </message>
     <message>
         <source>A reading that is left out stays in the table, and is told among those left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>Una lectura omitida permanece en la tabla y se menciona entre las omitidas.</translation>
     </message>
     <message>
         <source>left out</source>
-        <translation type="unfinished"></translation>
+        <translation>omitida</translation>
     </message>
     <message>
         <source>Figures as seen in</source>
-        <translation type="unfinished"></translation>
+        <translation>Cifras observadas en</translation>
     </message>
     <message>
         <source>Another network, rounds of a total station say, whose residuals see what its readings are worth. Readings of the same kind and instrument get the standard uncertainty that it sees, with its degrees of freedom, and follow its readings; others stay as stated here.</source>
-        <translation type="unfinished"></translation>
+        <translation>Otra red, por ejemplo series de una estación total, cuyos residuos ven lo que valen sus lecturas. Las lecturas de la misma clase y el mismo instrumento reciben la incertidumbre típica que ella observa, con sus grados de libertad, y siguen a sus lecturas; las demás quedan como se indican aquí.</translation>
     </message>
     <message>
         <source>Figures of instruments</source>
-        <translation type="unfinished"></translation>
+        <translation>Cifras de los instrumentos</translation>
     </message>
     <message>
         <source>What an instrument does to all of its readings alike, with what is known of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lo que un instrumento hace a todas sus lecturas por igual, con lo que se sabe de ello.</translation>
     </message>
     <message>
         <source>Name of the instrument, as in the column of the readings; empty: of all readings without one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nombre del instrumento, como en la columna de las lecturas; vacío: de todas las lecturas que no tienen ninguno.</translation>
     </message>
     <message>
         <source>What it does to all of its readings alike: its zero is added to distances, by its scale (weather correction included) they are longer, refraction bends its lines of sight, its index is added to zenith angles, its collimation over the sine of the zenith angle to directions.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lo que hace a todas sus lecturas por igual: su cero se suma a las distancias; por su escala (corrección meteorológica incluida) son más largas; la refracción curva sus visuales; su índice se suma a los ángulos cenitales; su colimación, dividida por el seno del ángulo cenital, a las direcciones.</translation>
     </message>
     <message>
         <source>zero of distances</source>
-        <translation type="unfinished"></translation>
+        <translation>cero de las distancias</translation>
     </message>
     <message>
         <source>refraction coefficient</source>
-        <translation type="unfinished"></translation>
+        <translation>coeficiente de refracción</translation>
     </message>
     <message>
         <source>vertical index</source>
-        <translation type="unfinished"></translation>
+        <translation>índice vertical</translation>
     </message>
     <message>
         <source>knowledge</source>
-        <translation type="unfinished"></translation>
+        <translation>conocimiento</translation>
     </message>
     <message>
         <source>Unknown: the readings tell it; stated with u: its value is one more reading, which all of the instrument&apos;s share; fixed without uncertainty.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incógnita: la dicen las lecturas; indicada con u: su valor es una lectura más, que comparten todas las del instrumento; fija, sin incertidumbre.</translation>
     </message>
     <message>
         <source>The zero; 0 where it is empty.</source>
-        <translation type="unfinished"></translation>
+        <translation>El cero; 0 si está vacío.</translation>
     </message>
     <message>
         <source>Standard uncertainty of a stated zero.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre típica de un cero indicado.</translation>
     </message>
     <message>
         <source>The scale beyond 1, or the refraction coefficient.</source>
-        <translation type="unfinished"></translation>
+        <translation>La escala más allá de 1, o el coeficiente de refracción.</translation>
     </message>
     <message>
         <source>u of ratio</source>
-        <translation type="unfinished"></translation>
+        <translation>u de razón</translation>
     </message>
     <message>
         <source>Standard uncertainty of a stated scale or refraction coefficient.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre típica de una escala o un coeficiente de refracción indicados.</translation>
     </message>
     <message>
         <source>The index or collimation; 0 where it is empty.</source>
-        <translation type="unfinished"></translation>
+        <translation>El índice o la colimación; 0 si está vacío.</translation>
     </message>
     <message>
         <source>Standard uncertainty of a stated index or collimation.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre típica de un índice o una colimación indicados.</translation>
     </message>
     <message>
         <source>Radius of the Earth</source>
-        <translation type="unfinished"></translation>
+        <translation>Radio de la Tierra</translation>
     </message>
     <message>
         <source>Where the curvature of the Earth counts in zenith angles; empty: it does not.</source>
-        <translation type="unfinished"></translation>
+        <translation>Donde la curvatura de la Tierra cuenta en los ángulos cenitales; vacío: no cuenta.</translation>
     </message>
     <message>
         <source>Refraction coefficient</source>
-        <translation type="unfinished"></translation>
+        <translation>Coeficiente de refracción</translation>
     </message>
     <message>
         <source>Of zenith angles, where the curvature of the Earth counts and no instrument states its own.</source>
-        <translation type="unfinished"></translation>
+        <translation>De los ángulos cenitales, donde cuenta la curvatura de la Tierra y ningún instrumento indica el suyo.</translation>
     </message>
     <message>
         <source>What is left out</source>
-        <translation type="unfinished"></translation>
+        <translation>Lo que se omite</translation>
     </message>
     <message>
         <source>Gross readings beyond</source>
-        <translation type="unfinished"></translation>
+        <translation>Errores groseros de más de</translation>
     </message>
     <message>
         <source>Readings that miss what the others agree on (a robust adjustment) by more, an angle at its target, are left out; empty: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>Se omiten las lecturas que se apartan en más que esto de aquello en lo que concuerdan las demás (una compensación robusta), medido un ángulo en su diana; vacío: ninguna.</translation>
     </message>
     <message>
         <source>Points that nothing tells</source>
-        <translation type="unfinished"></translation>
+        <translation>Puntos que nada determina</translation>
     </message>
     <message>
         <source>They are refused, by name; or left out with their readings, and told.</source>
-        <translation type="unfinished"></translation>
+        <translation>Se rechazan, por su nombre; o se omiten con sus lecturas y se mencionan.</translation>
     </message>
     <message>
         <source>are refused</source>
-        <translation type="unfinished"></translation>
+        <translation>se rechazan</translation>
     </message>
     <message>
         <source>are left out</source>
-        <translation type="unfinished"></translation>
+        <translation>se omiten</translation>
     </message>
     <message>
         <source>Outliers</source>
-        <translation type="unfinished"></translation>
+        <translation>Valores atípicos</translation>
     </message>
     <message>
         <source>All readings are kept, and the adjustment says which contradict the others; or the search begins robustly (Huber&apos;s weights), and readings with |w| beyond 3.29 are left out, each with its reason.</source>
-        <translation type="unfinished"></translation>
+        <translation>Se conservan todas las lecturas, y la compensación dice cuáles contradicen a las demás; o la búsqueda empieza de forma robusta (pesos de Huber), y se omiten las lecturas con |w| mayor que 3.29, cada una con su motivo.</translation>
     </message>
     <message>
         <source>are kept</source>
-        <translation type="unfinished"></translation>
+        <translation>se conservan</translation>
     </message>
     <message>
         <source>robust start, and left out</source>
-        <translation type="unfinished"></translation>
+        <translation>inicio robusto, y se omiten</translation>
     </message>
     <message>
         <source>Uncertainties of the points</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbres de los puntos</translation>
     </message>
     <message>
         <source>As stated; or as the distances of the points from their circles see them: stated ones times one common factor, or times the factor of each figure (variance components). Either has the degrees of freedom of its estimate. What all points share stays as stated.</source>
-        <translation type="unfinished"></translation>
+        <translation>Las indicadas; o las que ven las distancias de los puntos a sus círculos: las indicadas por un factor común, o por el factor de cada cifra (componentes de varianza). Ambas tienen los grados de libertad de su estimación. Lo que comparten todos los puntos queda como se indicó.</translation>
     </message>
     <message>
         <source>Uncertainties of points and readings</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbres de puntos y lecturas</translation>
     </message>
     <message>
         <source>As stated; or as the residuals of this fit see them: stated ones times one common factor, or times the factor of each figure (variance components). Either has the degrees of freedom of its estimate. What all poses share stays as stated.</source>
-        <translation type="unfinished"></translation>
+        <translation>Las indicadas; o las que ven los residuos de este ajuste: las indicadas por un factor común, o por el factor de cada cifra (componentes de varianza). Ambas tienen los grados de libertad de su estimación. Lo que comparten todas las poses queda como se indicó.</translation>
     </message>
     <message>
         <source>Stated ones weigh the points and are used as they are; or they are used as the residuals see them: times one common factor, or times one of x and one of y. Either has the degrees of freedom of its estimate. What all points share stays as stated.</source>
-        <translation type="unfinished"></translation>
+        <translation>Las indicadas ponderan los puntos y se usan como están; o se usan como las ven los residuos: por un factor común, o por uno de x y uno de y. Ambas tienen los grados de libertad de su estimación. Lo que comparten todos los puntos queda como se indicó.</translation>
     </message>
     <message>
         <source>Accuracy and repeatability of poses</source>
-        <translation type="unfinished"></translation>
+        <translation>Exactitud y repetibilidad de poses</translation>
     </message>
     <message>
         <source>What ISO 9283 asks of a robot, from measured poses: AP and RP, distances, directions of approach, drift; with the uncertainty that few cycles and the instrument leave, and decisions about a maker&apos;s figures.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lo que ISO 9283 pide de un robot, a partir de poses medidas: AP y RP, distancias, direcciones de aproximación, deriva; con la incertidumbre que dejan los pocos ciclos y el instrumento, y decisiones sobre las cifras de un fabricante.</translation>
     </message>
     <message>
         <source>RP of the standard comes out too small from few cycles: by 2 % from 30 and 7 % from 10, where the scatter is alike in all directions. The result is multiplied by what that is for the shape of the scatter seen; the table gives RP as the standard defines it beside it.</source>
-        <translation type="unfinished"></translation>
+        <translation>La RP de la norma resulta demasiado pequeña con pocos ciclos: un 2 % con 30 y un 7 % con 10, cuando la dispersión es igual en todas las direcciones. El resultado se multiplica por lo que eso supone para la forma de la dispersión observada; la tabla da junto a él la RP tal como la define la norma.</translation>
     </message>
     <message>
         <source>Scatter is taken to be normal. The law of RP for the number of cycles and the shape of the scatter comes from up to 4,000 simulated campaigns, always the same ones.</source>
-        <translation type="unfinished"></translation>
+        <translation>La dispersión se supone normal. La ley de RP para el número de ciclos y la forma de la dispersión procede de hasta 4000 campañas simuladas, siempre las mismas.</translation>
     </message>
     <message>
         <source>Limits and numbers of cycles of the standard are not built in: what is held against a figure is what is entered. Formulas of directions, distances and drift are those in common use; hold them against the text of the standard before a sheet names it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Los límites y números de ciclos de la norma no están incorporados: lo que se contrasta con una cifra es lo que se introduce. Las fórmulas de direcciones, distancias y deriva son las de uso común; contrástelas con el texto de la norma antes de que una hoja la nombre.</translation>
     </message>
     <message>
         <source>RP² is split between robot and instrument as if both scattered in one shape.</source>
-        <translation type="unfinished"></translation>
+        <translation>RP² se reparte entre robot e instrumento como si la dispersión de ambos tuviera la misma forma.</translation>
     </message>
     <message>
         <source>Commanded poses</source>
-        <translation type="unfinished"></translation>
+        <translation>Poses comandadas</translation>
     </message>
     <message>
         <source>Where the robot was sent to.</source>
-        <translation type="unfinished"></translation>
+        <translation>Adónde se envió el robot.</translation>
     </message>
     <message>
         <source>Name, unique: P1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nombre, único: P1.</translation>
     </message>
     <message>
         <source>Commanded coordinate x in the base of the robot.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada x comandada en la base del robot.</translation>
     </message>
     <message>
         <source>Commanded coordinate y in the base of the robot.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada y comandada en la base del robot.</translation>
     </message>
     <message>
         <source>Commanded coordinate z in the base of the robot.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada z comandada en la base del robot.</translation>
     </message>
     <message>
         <source>Commanded angle of the orientation; empty: orientations are not evaluated.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ángulo comandado de la orientación; vacío: no se evalúan orientaciones.</translation>
     </message>
     <message>
         <source>Attained poses</source>
-        <translation type="unfinished"></translation>
+        <translation>Poses alcanzadas</translation>
     </message>
     <message>
         <source>A row for every cycle in the order of measurement, typed, pasted or from a CSV file. The coordinates are those of the robot&apos;s base.</source>
-        <translation type="unfinished"></translation>
+        <translation>Una fila por cada ciclo en el orden de la medición, tecleadas, pegadas o de un archivo CSV. Las coordenadas son las de la base del robot.</translation>
     </message>
     <message>
         <source>As in the commanded poses.</source>
-        <translation type="unfinished"></translation>
+        <translation>Como en las poses comandadas.</translation>
     </message>
     <message>
         <source>From where the pose was approached, where there are several ways; empty: one for all.</source>
-        <translation type="unfinished"></translation>
+        <translation>Desde dónde se aproximó a la pose, donde hay varios modos; vacío: uno para todas.</translation>
     </message>
     <message>
         <source>Of the series of cycles, where it is repeated to see a drift; empty: there is one series.</source>
-        <translation type="unfinished"></translation>
+        <translation>De la serie de ciclos, donde se repite para ver una deriva; vacío: hay una serie.</translation>
     </message>
     <message>
         <source>Attained coordinate x in the base of the robot.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada x alcanzada en la base del robot.</translation>
     </message>
     <message>
         <source>Attained coordinate y in the base of the robot.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada y alcanzada en la base del robot.</translation>
     </message>
     <message>
         <source>Attained coordinate z in the base of the robot.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada z alcanzada en la base del robot.</translation>
     </message>
     <message>
         <source>Attained angle of the orientation.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ángulo alcanzado de la orientación.</translation>
     </message>
     <message>
         <source>Pairs of poses whose distance is held against the commanded one, cycle by cycle.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pares de poses cuya distancia se contrasta con la comandada, ciclo por ciclo.</translation>
     </message>
     <message>
         <source>A commanded pose.</source>
-        <translation type="unfinished"></translation>
+        <translation>Una pose comandada.</translation>
     </message>
     <message>
         <source>Another one, with as many cycles.</source>
-        <translation type="unfinished"></translation>
+        <translation>Otra, con el mismo número de ciclos.</translation>
     </message>
     <message>
         <source>u of a measured coordinate</source>
-        <translation type="unfinished"></translation>
+        <translation>u de una coordenada medida</translation>
     </message>
     <message>
         <source>Standard uncertainty that all cycles of a pose share: of the instrument and of the robot&apos;s base in its frame. It is part of u(AP), not of RP.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre típica que comparten todos los ciclos de una pose: del instrumento y de la base del robot en el sistema del instrumento. Es parte de u(AP), no de RP.</translation>
     </message>
     <message>
         <source>Scatter of the instrument</source>
-        <translation type="unfinished"></translation>
+        <translation>Dispersión del instrumento</translation>
     </message>
     <message>
         <source>What the instrument scatters by itself is part of RP. Where it is known, RP² less its RP² is that of the robot, if both scatter alike in all directions.</source>
-        <translation type="unfinished"></translation>
+        <translation>La dispersión propia del instrumento es parte de RP. Donde se conoce, RP² menos la RP² del instrumento es la del robot, si la dispersión de ambos es igual en todas las direcciones.</translation>
     </message>
     <message>
         <source>not taken out</source>
-        <translation type="unfinished"></translation>
+        <translation>no se descuenta</translation>
     </message>
     <message>
         <source>its RP from a fixed target</source>
-        <translation type="unfinished"></translation>
+        <translation>su RP con una diana fija</translation>
     </message>
     <message>
         <source>readings of a fixed target</source>
-        <translation type="unfinished"></translation>
+        <translation>lecturas de una diana fija</translation>
     </message>
     <message>
         <source>RP of the instrument alone</source>
-        <translation type="unfinished"></translation>
+        <translation>RP del instrumento solo</translation>
     </message>
     <message>
         <source>l̄ + 3 s of readings of a fixed target, as measured in the cell.</source>
-        <translation type="unfinished"></translation>
+        <translation>l̄ + 3 s de las lecturas de una diana fija, medidas en la celda.</translation>
     </message>
     <message>
         <source>Its readings</source>
-        <translation type="unfinished"></translation>
+        <translation>Sus lecturas</translation>
     </message>
     <message>
         <source>Number of readings that it is taken from: so well is it known.</source>
-        <translation type="unfinished"></translation>
+        <translation>Número de lecturas del que procede: de él depende lo bien que se conoce.</translation>
     </message>
     <message>
         <source>Readings of a fixed target</source>
-        <translation type="unfinished"></translation>
+        <translation>Lecturas de una diana fija</translation>
     </message>
     <message>
         <source>Coordinates of a target that does not move, read as the poses were.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenadas de una diana que no se mueve, leídas como las poses.</translation>
     </message>
     <message>
         <source>Read coordinate x.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada x leída.</translation>
     </message>
     <message>
         <source>Read coordinate y.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada y leída.</translation>
     </message>
     <message>
         <source>Read coordinate z.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada z leída.</translation>
     </message>
     <message>
         <source>Decisions</source>
-        <translation type="unfinished"></translation>
+        <translation>Decisiones</translation>
     </message>
     <message>
         <source>Rated AP</source>
-        <translation type="unfinished"></translation>
+        <translation>AP nominal</translation>
     </message>
     <message>
         <source>The maker&apos;s figure; empty: nothing is decided.</source>
-        <translation type="unfinished"></translation>
+        <translation>La cifra del fabricante; vacío: no se decide nada.</translation>
     </message>
     <message>
         <source>Rated RP</source>
-        <translation type="unfinished"></translation>
+        <translation>RP nominal</translation>
     </message>
     <message>
         <source>Probability of a decision</source>
-        <translation type="unfinished"></translation>
+        <translation>Probabilidad de una decisión</translation>
     </message>
     <message>
         <source>A robot conforms where this is the probability that its figure is not above the rated one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un robot es conforme donde esta es la probabilidad de que su cifra no supere la nominal.</translation>
     </message>
     <message>
         <source>U of the instrument</source>
-        <translation type="unfinished"></translation>
+        <translation>U del instrumento</translation>
     </message>
     <message>
         <source>Expanded uncertainty of the measured position, k = 2; empty: it is not held against AP and RP.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre expandida de la posición medida, k = 2; vacío: no se contrasta con AP y RP.</translation>
     </message>
     <message>
         <source>Largest ratio of U to AP, RP</source>
-        <translation type="unfinished"></translation>
+        <translation>Mayor razón de U a AP, RP</translation>
     </message>
     <message>
         <source>What the standard or the contract allows, as it says it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lo que permite la norma o el contrato, tal como lo dice.</translation>
     </message>
     <message>
         <source>Two-face and length tests of a tracker</source>
-        <translation type="unfinished"></translation>
+        <translation>Ensayos de dos caras y de longitud de un seguidor</translation>
     </message>
     <message>
         <source>Errors of a laser tracker at the positions of its acceptance test, with the uncertainty of the test, and the decision whether they are within the maximum permissible errors.</source>
-        <translation type="unfinished"></translation>
+        <translation>Errores de un seguidor láser en las posiciones de su ensayo de aceptación, con la incertidumbre del ensayo, y la decisión de si están dentro de los errores máximos permitidos.</translation>
     </message>
     <message>
         <source>Positions, numbers of repetitions and limits are those that are entered: none of a standard is built in.</source>
-        <translation type="unfinished"></translation>
+        <translation>Las posiciones, los números de repeticiones y los límites son los que se introducen: no hay incorporado ninguno de una norma.</translation>
     </message>
     <message>
         <source>The uncertainty of a test value is what the test adds, not the scatter of the tracker: that is what is tested.</source>
-        <translation type="unfinished"></translation>
+        <translation>La incertidumbre de un valor de ensayo es lo que añade el ensayo, no la dispersión del seguidor: eso es lo que se ensaya.</translation>
     </message>
     <message>
         <source>A row for every position, typed, pasted or from a CSV file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Una fila por cada posición, tecleadas, pegadas o de un archivo CSV.</translation>
     </message>
     <message>
         <source>Number or name of the position, unique.</source>
-        <translation type="unfinished"></translation>
+        <translation>Número o nombre de la posición, único.</translation>
     </message>
     <message>
         <source>Two-face: a fixed target read in both faces. Length: a reference length.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dos caras: una diana fija leída en ambas caras. Longitud: una longitud de referencia.</translation>
     </message>
     <message>
         <source>two-face</source>
-        <translation type="unfinished"></translation>
+        <translation>dos caras</translation>
     </message>
     <message>
         <source>Two-face: distance across the beam between the readings of both faces. Length: as measured.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dos caras: distancia perpendicular al haz entre las lecturas de ambas caras. Longitud: la medida.</translation>
     </message>
     <message>
         <source>reference</source>
-        <translation type="unfinished"></translation>
+        <translation>referencia</translation>
     </message>
     <message>
         <source>Calibrated length, of a length test.</source>
-        <translation type="unfinished"></translation>
+        <translation>Longitud calibrada, de un ensayo de longitud.</translation>
     </message>
     <message>
         <source>range</source>
-        <translation type="unfinished"></translation>
+        <translation>distancia</translation>
     </message>
     <message>
         <source>Distance of the target, or of the middle of the length, from the tracker.</source>
-        <translation type="unfinished"></translation>
+        <translation>Distancia de la diana, o del centro de la longitud, al seguidor.</translation>
     </message>
     <message>
         <source>Its horizontal angle; empty: 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Su ángulo horizontal; vacío: 0.</translation>
     </message>
     <message>
         <source>Its angle above the horizon; empty: 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Su ángulo sobre el horizonte; vacío: 0.</translation>
     </message>
     <message>
         <source>Standard uncertainty of this test value; empty: that of its kind, as below.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre típica de este valor de ensayo; vacío: la de su clase, como abajo.</translation>
     </message>
     <message>
         <source>MPE</source>
-        <translation type="unfinished"></translation>
+        <translation>MPE</translation>
     </message>
     <message>
         <source>Limit for this position; empty: it follows from constant and slope, as below.</source>
-        <translation type="unfinished"></translation>
+        <translation>Límite para esta posición; vacío: se sigue de la constante y la pendiente, como abajo.</translation>
     </message>
     <message>
         <source>Limits</source>
-        <translation type="unfinished"></translation>
+        <translation>Límites</translation>
     </message>
     <message>
         <source>MPE two-face, constant</source>
-        <translation type="unfinished"></translation>
+        <translation>MPE dos caras, constante</translation>
     </message>
     <message>
         <source>As the maker states it for a two-face test; empty: every two-face test has its own MPE.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tal como lo indica el fabricante para un ensayo de dos caras; vacío: cada ensayo de dos caras tiene su propio MPE.</translation>
     </message>
     <message>
         <source>MPE two-face, per metre</source>
-        <translation type="unfinished"></translation>
+        <translation>MPE dos caras, por metro</translation>
     </message>
     <message>
         <source>Times the range of the target.</source>
-        <translation type="unfinished"></translation>
+        <translation>Por la distancia de la diana.</translation>
     </message>
     <message>
         <source>MPE length, constant</source>
-        <translation type="unfinished"></translation>
+        <translation>MPE longitud, constante</translation>
     </message>
     <message>
         <source>As the maker states it; empty: every length has its own MPE.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tal como lo indica el fabricante; vacío: cada longitud tiene su propio MPE.</translation>
     </message>
     <message>
         <source>MPE length, per metre</source>
-        <translation type="unfinished"></translation>
+        <translation>MPE longitud, por metro</translation>
     </message>
     <message>
         <source>Times the reference length.</source>
-        <translation type="unfinished"></translation>
+        <translation>Por la longitud de referencia.</translation>
     </message>
     <message>
         <source>Uncertainty of the test values</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre de los valores de ensayo</translation>
     </message>
     <message>
         <source>u of a two-face value</source>
-        <translation type="unfinished"></translation>
+        <translation>u de un valor de dos caras</translation>
     </message>
     <message>
         <source>Standard uncertainty of what the test adds: seat of the reflector, motion of its mount. Not the scatter of the tracker, which is tested.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre típica de lo que añade el ensayo: asiento del reflector, movimiento de su soporte. No la dispersión del seguidor, que es lo que se ensaya.</translation>
     </message>
     <message>
         <source>u of a length</source>
-        <translation type="unfinished"></translation>
+        <translation>u de una longitud</translation>
     </message>
     <message>
         <source>Standard uncertainty of what the test adds to each length: calibration, mounting, temperature. Not the scatter of the tracker.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre típica de lo que el ensayo añade a cada longitud: calibración, montaje, temperatura. No la dispersión del seguidor.</translation>
     </message>
     <message>
         <source>u of the scale of the references</source>
-        <translation type="unfinished"></translation>
+        <translation>u de la escala de las referencias</translation>
     </message>
     <message>
         <source>A position conforms where this is the probability that its error is within the MPE.</source>
-        <translation type="unfinished"></translation>
+        <translation>Una posición es conforme donde esta es la probabilidad de que su error esté dentro del MPE.</translation>
     </message>
     <message>
         <source>Accuracy and repeatability of a robot</source>
-        <translation type="unfinished"></translation>
+        <translation>Exactitud y repetibilidad de un robot</translation>
     </message>
     <message>
         <source>AP and RP of ISO 9283 from measured poses, and whether the maker&apos;s figures are met.</source>
-        <translation type="unfinished"></translation>
+        <translation>AP y RP de ISO 9283 a partir de poses medidas, y si se cumplen las cifras del fabricante.</translation>
     </message>
     <message>
         <source>Acceptance test of a tracker</source>
-        <translation type="unfinished"></translation>
+        <translation>Ensayo de aceptación de un seguidor</translation>
     </message>
     <message>
         <source>Two-face and length tests against their limits, with the uncertainty of the test.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ensayos de dos caras y de longitud frente a sus límites, con la incertidumbre del ensayo.</translation>
     </message>
     <message>
         <source>Robot at five poses, thirty cycles</source>
-        <translation type="unfinished"></translation>
+        <translation>Robot en cinco poses, treinta ciclos</translation>
     </message>
     <message>
         <source>An industrial robot, sent thirty times to each of five poses and measured by a laser tracker: AP and RP after ISO 9283 with what thirty cycles and the tracker leave open of them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un robot industrial, enviado treinta veces a cada una de cinco poses y medido con un seguidor láser: AP y RP según ISO 9283, con lo que treinta ciclos y el seguidor dejan abierto de ellas.</translation>
     </message>
     <message>
         <source>From rounds of a total station to a certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>De series de una estación total a un certificado</translation>
     </message>
     <message>
         <source>Four rounds of a total station say what its readings are worth: a network takes their figures as seen, a pose takes its points from the network, and the certificate states the pose.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cuatro series de una estación total dicen lo que valen sus lecturas: una red toma sus cifras observadas, una pose toma sus puntos de la red, y el certificado indica la pose.</translation>
     </message>
     <message>
         <source>Acceptance test of a laser tracker</source>
-        <translation type="unfinished"></translation>
+        <translation>Ensayo de aceptación de un seguidor láser</translation>
     </message>
     <message>
         <source>A laser tracker, tested with fixed reflectors read in both faces from three distances, and with a reference length of 2.3 m.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un seguidor láser, ensayado con reflectores fijos leídos en ambas caras desde tres distancias, y con una longitud de referencia de 2.3 m.</translation>
     </message>
     <message>
         <source>%1 is a temperature in %3, and here it would be taken in kelvin (20 degC as 293.15 K): if it is a difference, give it in %4; for its reading in %3 write (%2 - 0 [%3]). Only the ratio of two temperatures in %3 is taken in kelvin</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 es una temperatura en %3, y aquí se tomaría en kelvin (20 degC como 293.15 K): si es una diferencia, dela en %4; para su lectura en %3 escriba (%2 - 0 [%3]). Solo la razón de dos temperaturas en %3 se toma en kelvin</translation>
     </message>
     <message>
         <source>%1 is a multiple of a temperature in %2, which depends on where the scale has its zero: if the temperature is a difference, give it in %3; else multiply its reading, as in 1.5*(t - 0 [%2])</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 es un múltiplo de una temperatura en %2, que depende de dónde tiene su cero la escala: si la temperatura es una diferencia, dela en %3; si no, multiplique su lectura, como en 1.5*(t - 0 [%2])</translation>
     </message>
     <message>
         <source>a part (%, ppm) or multiple of a temperature in %1 depends on where the scale has its zero: give the figure in %2</source>
-        <translation type="unfinished"></translation>
+        <translation>una parte (%, ppm) o un múltiplo de una temperatura en %1 depende de dónde tiene su cero la escala: dé la cifra en %2</translation>
     </message>
     <message>
         <source>a difference: %1 in %2</source>
-        <translation type="unfinished"></translation>
+        <translation>una diferencia: %1 en %2</translation>
     </message>
     <message>
         <source>column &apos;%1&apos; of &apos;%2&apos; is %3; its unit is missing: write &quot;%4 [%5]&quot;</source>
@@ -16882,711 +16882,711 @@ nu 18 detrás de cualquiera de ellos: grados de libertad</translation>
     </message>
     <message>
         <source>column &apos;%1&apos; of &apos;%2&apos; is a difference of temperatures: give it in %3, not in %4</source>
-        <translation type="unfinished"></translation>
+        <translation>la columna &apos;%1&apos; de &apos;%2&apos; es una diferencia de temperaturas: dela en %3, no en %4</translation>
     </message>
     <message>
         <source>%1 is a difference of temperatures: give it in %2, not in %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 es una diferencia de temperaturas: dela en %2, no en %3</translation>
     </message>
     <message>
         <source>The figures of the set-up are too far apart in size for %1: the last digits of the estimates change its sensitivity coefficients by more than a tenth. Give coordinates from a place nearby.</source>
-        <translation type="unfinished"></translation>
+        <translation>Las cifras de la configuración son de tamaños demasiado dispares para %1: los últimos dígitos de las estimaciones cambian sus coeficientes de sensibilidad en más de una décima parte. Dé las coordenadas respecto a un lugar cercano.</translation>
     </message>
     <message>
         <source>uncertainties as the residuals see them</source>
-        <translation type="unfinished"></translation>
+        <translation>incertidumbres tal como las ven los residuos</translation>
     </message>
     <message>
         <source>stated figures of instruments</source>
-        <translation type="unfinished"></translation>
+        <translation>cifras indicadas de los instrumentos</translation>
     </message>
     <message>
         <source>%1 does not see these figures, so they stay as stated here: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 no ve estas cifras, así que quedan como se indican aquí: %2</translation>
     </message>
     <message>
         <source>readings of figures that are seen elsewhere are correlated with others here</source>
-        <translation type="unfinished"></translation>
+        <translation>las lecturas de cifras que se observan en otra parte están correlacionadas aquí con otras</translation>
     </message>
     <message>
         <source>the readings from %1 agree if the names %2 and %3 are exchanged there</source>
-        <translation type="unfinished"></translation>
+        <translation>las lecturas desde %1 concuerdan si allí se intercambian los nombres %2 y %3</translation>
     </message>
     <message>
         <source>as seen in %1: %2 times what is stated here</source>
-        <translation type="unfinished"></translation>
+        <translation>observada en %1: %2 veces lo indicado aquí</translation>
     </message>
     <message>
         <source>the only direction of its round, whose orientation is not known</source>
-        <translation type="unfinished"></translation>
+        <translation>la única dirección de su serie, cuya orientación no se conoce</translation>
     </message>
     <message>
         <source>it contradicts the others: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>contradice a las demás: %1</translation>
     </message>
     <message>
         <source>it contradicts the others: %1; it cannot be told apart from %2</source>
-        <translation type="unfinished"></translation>
+        <translation>contradice a las demás: %1; no se puede distinguir de %2</translation>
     </message>
     <message>
         <source>nothing tells them</source>
-        <translation type="unfinished"></translation>
+        <translation>nada los determina</translation>
     </message>
     <message>
         <source>x and y of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>x e y de %1</translation>
     </message>
     <message>
         <source>the height of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>la altura de %1</translation>
     </message>
     <message>
         <source>nothing tells it</source>
-        <translation type="unfinished"></translation>
+        <translation>nada la determina</translation>
     </message>
     <message>
         <source>its point %1 is left out</source>
-        <translation type="unfinished"></translation>
+        <translation>su punto %1 se omite</translation>
     </message>
     <message>
         <source>the height of %1 is left out</source>
-        <translation type="unfinished"></translation>
+        <translation>la altura de %1 se omite</translation>
     </message>
     <message>
         <source>it misses what the others agree on by %1 m, more than %2 m</source>
-        <translation type="unfinished"></translation>
+        <translation>se aparta de aquello en lo que concuerdan las demás en %1 m, más de %2 m</translation>
     </message>
     <message>
         <source>|w| = %1</source>
-        <translation type="unfinished"></translation>
+        <translation>|w| = %1</translation>
     </message>
     <message>
         <source>%1 times its u in a robust adjustment</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 veces su u en una compensación robusta</translation>
     </message>
     <message>
         <source>by hand</source>
-        <translation type="unfinished"></translation>
+        <translation>a mano</translation>
     </message>
     <message>
         <source>%1 is left out: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>se omite %1: %2</translation>
     </message>
     <message>
         <source>and %1 more are left out, listed with their reasons</source>
-        <translation type="unfinished"></translation>
+        <translation>y se omiten %1 más, enumeradas con sus motivos</translation>
     </message>
     <message>
         <source>zero c and scale m of distances, index i, refraction k</source>
-        <translation type="unfinished"></translation>
+        <translation>cero c y escala m de las distancias, índice i, refracción k</translation>
     </message>
     <message>
         <source>all instruments</source>
-        <translation type="unfinished"></translation>
+        <translation>todos los instrumentos</translation>
     </message>
     <message>
         <source>the zero of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>el cero de %1</translation>
     </message>
     <message>
         <source>the scale of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>la escala de %1</translation>
     </message>
     <message>
         <source>the refraction coefficient of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>el coeficiente de refracción de %1</translation>
     </message>
     <message>
         <source>the vertical index of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>el índice vertical de %1</translation>
     </message>
     <message>
         <source>the collimation of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>la colimación de %1</translation>
     </message>
     <message>
         <source>%1 is stated twice</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 se indica dos veces</translation>
     </message>
     <message>
         <source>%1 needs the radius of the Earth</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 necesita el radio de la Tierra</translation>
     </message>
     <message>
         <source>there is no reading that %1 would change: readings say their instrument in their column</source>
-        <translation type="unfinished"></translation>
+        <translation>no hay ninguna lectura a la que afecte %1: las lecturas indican su instrumento en su columna</translation>
     </message>
     <message>
         <source>outlier? it cannot be told apart from %1</source>
-        <translation type="unfinished"></translation>
+        <translation>¿valor atípico? no se puede distinguir de %1</translation>
     </message>
     <message>
         <source>Reason</source>
-        <translation type="unfinished"></translation>
+        <translation>Motivo</translation>
     </message>
     <message>
         <source>the readings cannot tell %1 apart: add readings that see them differently, or state one of them</source>
-        <translation type="unfinished"></translation>
+        <translation>las lecturas no pueden distinguir %1: añada lecturas que los vean de otro modo, o indique uno de ellos</translation>
     </message>
     <message>
         <source>nothing tells %1: add readings that see it, or state it with u</source>
-        <translation type="unfinished"></translation>
+        <translation>nada determina %1: añada lecturas que lo vean, o indíquelo con u</translation>
     </message>
     <message>
         <source>%1 readings cannot tell %2 unknowns (coordinates less what the datum takes, orientations, figures of instruments): add %3 readings at least, or state figures with u</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 lecturas no pueden determinar %2 incógnitas (coordenadas menos lo que toma el datum, orientaciones, cifras de los instrumentos): añada al menos %3 lecturas, o indique cifras con u</translation>
     </message>
     <message>
         <source>instruments</source>
-        <translation type="unfinished"></translation>
+        <translation>instrumentos</translation>
     </message>
     <message>
         <source>base points, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>puntos de la base, %1</translation>
     </message>
     <message>
         <source>points of the moving frame, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>puntos del sistema móvil, %1</translation>
     </message>
     <message>
         <source>joint %1, point %2</source>
-        <translation type="unfinished"></translation>
+        <translation>articulación %1, punto %2</translation>
     </message>
     <message>
         <source>%1, off the plane</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, fuera del plano</translation>
     </message>
     <message>
         <source>%1, along the radius</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, según el radio</translation>
     </message>
     <message>
         <source>a thermodynamic temperature: %1 in %2</source>
-        <translation type="unfinished"></translation>
+        <translation>una temperatura termodinámica: %1 en %2</translation>
     </message>
     <message>
         <source>its reading in %2: %1 - 0 [%2]</source>
-        <translation type="unfinished"></translation>
+        <translation>su lectura en %2: %1 - 0 [%2]</translation>
     </message>
     <message>
         <source>a part of its reading in %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>una parte de su lectura en %1: %2</translation>
     </message>
     <message>
         <source>a temperature: %1 in %2</source>
-        <translation type="unfinished"></translation>
+        <translation>una temperatura: %1 en %2</translation>
     </message>
     <message>
         <source>y of the points</source>
-        <translation type="unfinished"></translation>
+        <translation>y de los puntos</translation>
     </message>
     <message>
         <source>x of the points</source>
-        <translation type="unfinished"></translation>
+        <translation>x de los puntos</translation>
     </message>
     <message>
         <source>the distance in row %1 is too long</source>
-        <translation type="unfinished"></translation>
+        <translation>la distancia de la fila %1 es demasiado larga</translation>
     </message>
     <message>
         <source>%1 distances between %2 pillars are more than a baseline has: at most %3 between %4</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 distancias entre %2 pilares son más de las que tiene una línea base: como máximo %3 entre %4</translation>
     </message>
     <message>
         <source>%1 cycles</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ciclos</translation>
     </message>
     <message>
         <source>few cycles</source>
-        <translation type="unfinished"></translation>
+        <translation>pocos ciclos</translation>
     </message>
     <message>
         <source>%1 cycles, normal scatter of the shape seen</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ciclos, dispersión normal de la forma observada</translation>
     </message>
     <message>
         <source>barycentre of %1, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>baricentro de %1, %2</translation>
     </message>
     <message>
         <source>scatter of the cycles</source>
-        <translation type="unfinished"></translation>
+        <translation>dispersión de los ciclos</translation>
     </message>
     <message>
         <source>repeatability of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>repetibilidad de %1</translation>
     </message>
     <message>
         <source>mean deviation of angle %1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>desviación media del ángulo %1 de %2</translation>
     </message>
     <message>
         <source>repeatability of angle %1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>repetibilidad del ángulo %1 de %2</translation>
     </message>
     <message>
         <source>instrument and base of the robot</source>
-        <translation type="unfinished"></translation>
+        <translation>instrumento y base del robot</translation>
     </message>
     <message>
         <source>error of the measured place of %1, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>error del lugar medido de %1, %2</translation>
     </message>
     <message>
         <source>mean distance %1</source>
-        <translation type="unfinished"></translation>
+        <translation>distancia media %1</translation>
     </message>
     <message>
         <source>repeatability of distance %1</source>
-        <translation type="unfinished"></translation>
+        <translation>repetibilidad de la distancia %1</translation>
     </message>
     <message>
         <source>repeatability of the instrument alone</source>
-        <translation type="unfinished"></translation>
+        <translation>repetibilidad del instrumento solo</translation>
     </message>
     <message>
         <source>ISO 9283, accuracy of a pose</source>
-        <translation type="unfinished"></translation>
+        <translation>ISO 9283, exactitud de una pose</translation>
     </message>
     <message>
         <source>ISO 9283, repeatability; c = RP(∞)/RP(n) by simulated campaigns</source>
-        <translation type="unfinished"></translation>
+        <translation>ISO 9283, repetibilidad; c = RP(∞)/RP(n) por campañas simuladas</translation>
     </message>
     <message>
         <source>without the instrument, where both scatter in one shape</source>
-        <translation type="unfinished"></translation>
+        <translation>sin el instrumento, donde la dispersión de ambos tiene la misma forma</translation>
     </message>
     <message>
         <source>of several directions of approach</source>
-        <translation type="unfinished"></translation>
+        <translation>de varias direcciones de aproximación</translation>
     </message>
     <message>
         <source>distances between poses</source>
-        <translation type="unfinished"></translation>
+        <translation>distancias entre poses</translation>
     </message>
     <message>
         <source>drift</source>
-        <translation type="unfinished"></translation>
+        <translation>deriva</translation>
     </message>
     <message>
         <source>accuracy of the pose</source>
-        <translation type="unfinished"></translation>
+        <translation>exactitud de la pose</translation>
     </message>
     <message>
         <source>repeatability of the pose</source>
-        <translation type="unfinished"></translation>
+        <translation>repetibilidad de la pose</translation>
     </message>
     <message>
         <source>repeatability of the robot alone</source>
-        <translation type="unfinished"></translation>
+        <translation>repetibilidad del robot solo</translation>
     </message>
     <message>
         <source>share of the instrument in RP²</source>
-        <translation type="unfinished"></translation>
+        <translation>parte del instrumento en RP²</translation>
     </message>
     <message>
         <source>accuracy of angle %1</source>
-        <translation type="unfinished"></translation>
+        <translation>exactitud del ángulo %1</translation>
     </message>
     <message>
         <source>repeatability of angle %1, ±</source>
-        <translation type="unfinished"></translation>
+        <translation>repetibilidad del ángulo %1, ±</translation>
     </message>
     <message>
         <source>variation of the accuracy over the directions of approach</source>
-        <translation type="unfinished"></translation>
+        <translation>variación de la exactitud entre las direcciones de aproximación</translation>
     </message>
     <message>
         <source>drift of the accuracy</source>
-        <translation type="unfinished"></translation>
+        <translation>deriva de la exactitud</translation>
     </message>
     <message>
         <source>drift of the repeatability</source>
-        <translation type="unfinished"></translation>
+        <translation>deriva de la repetibilidad</translation>
     </message>
     <message>
         <source>accuracy of the distance</source>
-        <translation type="unfinished"></translation>
+        <translation>exactitud de la distancia</translation>
     </message>
     <message>
         <source>repeatability of the distance, ±</source>
-        <translation type="unfinished"></translation>
+        <translation>repetibilidad de la distancia, ±</translation>
     </message>
     <message>
         <source>the instrument alone scatters as much as what it measured at %1: nothing is left that could be called the robot&apos;s</source>
-        <translation type="unfinished"></translation>
+        <translation>el instrumento solo tiene tanta dispersión como lo que midió en %1: no queda nada que pueda atribuirse al robot</translation>
     </message>
     <message>
         <source>two series are called &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>dos series se llaman &apos;%1&apos;</translation>
     </message>
     <message>
         <source>there is no commanded pose &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>no hay ninguna pose comandada &apos;%1&apos;</translation>
     </message>
     <message>
         <source>%1 has fewer than three cycles</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 tiene menos de tres ciclos</translation>
     </message>
     <message>
         <source>row %1 has angles, though its pose is commanded without them</source>
-        <translation type="unfinished"></translation>
+        <translation>la fila %1 tiene ángulos, aunque su pose se comanda sin ellos</translation>
     </message>
     <message>
         <source>row %1 has no angles, though its pose is commanded with them</source>
-        <translation type="unfinished"></translation>
+        <translation>la fila %1 no tiene ángulos, aunque su pose se comanda con ellos</translation>
     </message>
     <message>
         <source>the coordinates at %1 are too large</source>
-        <translation type="unfinished"></translation>
+        <translation>las coordenadas en %1 son demasiado grandes</translation>
     </message>
     <message>
         <source>pose &apos;%1&apos; is commanded twice</source>
-        <translation type="unfinished"></translation>
+        <translation>la pose &apos;%1&apos; se comanda dos veces</translation>
     </message>
     <message>
         <source>pose &apos;%1&apos; is commanded with some angles and without others</source>
-        <translation type="unfinished"></translation>
+        <translation>la pose &apos;%1&apos; se comanda con unos ángulos y sin otros</translation>
     </message>
     <message>
         <source>some poses are commanded with all angles and others are not</source>
-        <translation type="unfinished"></translation>
+        <translation>algunas poses se comandan con todos los ángulos y otras no</translation>
     </message>
     <message>
         <source>no cycles were measured at pose &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>no se midieron ciclos en la pose &apos;%1&apos;</translation>
     </message>
     <message>
         <source>a distance from pose &apos;%1&apos; to itself</source>
-        <translation type="unfinished"></translation>
+        <translation>una distancia de la pose &apos;%1&apos; a sí misma</translation>
     </message>
     <message>
         <source>the distance from &apos;%1&apos; to &apos;%2&apos; is there twice</source>
-        <translation type="unfinished"></translation>
+        <translation>la distancia de &apos;%1&apos; a &apos;%2&apos; figura dos veces</translation>
     </message>
     <message>
         <source>poses &apos;%1&apos; and &apos;%2&apos; have different numbers of cycles</source>
-        <translation type="unfinished"></translation>
+        <translation>las poses &apos;%1&apos; y &apos;%2&apos; tienen distinto número de ciclos</translation>
     </message>
     <message>
         <source>the coordinates of the fixed target in row %1 are too large</source>
-        <translation type="unfinished"></translation>
+        <translation>las coordenadas de la diana fija en la fila %1 son demasiado grandes</translation>
     </message>
     <message>
         <source>U of the instrument and the largest ratio go together: enter both, or neither</source>
-        <translation type="unfinished"></translation>
+        <translation>U del instrumento y la mayor razón van juntas: introduzca ambas o ninguna</translation>
     </message>
     <message>
         <source>AP by scatter alone</source>
-        <translation type="unfinished"></translation>
+        <translation>AP solo por dispersión</translation>
     </message>
     <message>
         <source>RP, few cycles allowed for</source>
-        <translation type="unfinished"></translation>
+        <translation>RP, corregida por pocos ciclos</translation>
     </message>
     <message>
         <source>u of it</source>
-        <translation type="unfinished"></translation>
+        <translation>u de ella</translation>
     </message>
     <message>
         <source>Where AP is not twice what the scatter of the cycles alone makes of it, it says little about the robot.</source>
-        <translation type="unfinished"></translation>
+        <translation>Donde AP no es el doble de lo que resulta de la dispersión de los ciclos por sí sola, dice poco del robot.</translation>
     </message>
     <message>
         <source>largest s of an axis</source>
-        <translation type="unfinished"></translation>
+        <translation>s mayor de un eje</translation>
     </message>
     <message>
         <source>middle</source>
-        <translation type="unfinished"></translation>
+        <translation>intermedia</translation>
     </message>
     <message>
         <source>smallest</source>
-        <translation type="unfinished"></translation>
+        <translation>menor</translation>
     </message>
     <message>
         <source>mean RP over that of many cycles</source>
-        <translation type="unfinished"></translation>
+        <translation>RP media dividida por la de muchos ciclos</translation>
     </message>
     <message>
         <source>relative u of RP</source>
-        <translation type="unfinished"></translation>
+        <translation>u relativa de RP</translation>
     </message>
     <message>
         <source>conforms</source>
-        <translation type="unfinished"></translation>
+        <translation>conforme</translation>
     </message>
     <message>
         <source>does not conform</source>
-        <translation type="unfinished"></translation>
+        <translation>no conforme</translation>
     </message>
     <message>
         <source>not decided</source>
-        <translation type="unfinished"></translation>
+        <translation>sin decidir</translation>
     </message>
     <message>
         <source>rated</source>
-        <translation type="unfinished"></translation>
+        <translation>nominal</translation>
     </message>
     <message>
         <source>probability of conformity</source>
-        <translation type="unfinished"></translation>
+        <translation>probabilidad de conformidad</translation>
     </message>
     <message>
         <source>risk that it is wrong</source>
-        <translation type="unfinished"></translation>
+        <translation>riesgo de que sea errónea</translation>
     </message>
     <message>
         <source>cycles that would decide</source>
-        <translation type="unfinished"></translation>
+        <translation>ciclos que decidirían</translation>
     </message>
     <message>
         <source>AP of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>AP de %1</translation>
     </message>
     <message>
         <source>RP of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>RP de %1</translation>
     </message>
     <message>
         <source>U of the instrument over AP of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>U del instrumento dividida por AP de %1</translation>
     </message>
     <message>
         <source>U of the instrument over RP of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>U del instrumento dividida por RP de %1</translation>
     </message>
     <message>
         <source>poses</source>
-        <translation type="unfinished"></translation>
+        <translation>poses</translation>
     </message>
     <message>
         <source>mean AP</source>
-        <translation type="unfinished"></translation>
+        <translation>AP media</translation>
     </message>
     <message>
         <source>largest AP</source>
-        <translation type="unfinished"></translation>
+        <translation>AP máxima</translation>
     </message>
     <message>
         <source>quantile of AP for the probability of a decision</source>
-        <translation type="unfinished"></translation>
+        <translation>cuantil de AP para la probabilidad de una decisión</translation>
     </message>
     <message>
         <source>%1 poses are too few to bound this quantile: the largest of %2 poses does, with the same probability.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 poses son demasiado pocas para acotar este cuantil: la mayor de %2 poses sí lo acota, con la misma probabilidad.</translation>
     </message>
     <message>
         <source>two-face: distance of both readings across the beam</source>
-        <translation type="unfinished"></translation>
+        <translation>dos caras: distancia de ambas lecturas perpendicular al haz</translation>
     </message>
     <message>
         <source>length; a: scale of the references</source>
-        <translation type="unfinished"></translation>
+        <translation>longitud; a: escala de las referencias</translation>
     </message>
     <message>
         <source>decision, ISO 14253-1</source>
-        <translation type="unfinished"></translation>
+        <translation>decisión, ISO 14253-1</translation>
     </message>
     <message>
         <source>scale of the reference lengths</source>
-        <translation type="unfinished"></translation>
+        <translation>escala de las longitudes de referencia</translation>
     </message>
     <message>
         <source>uncertainty of the test</source>
-        <translation type="unfinished"></translation>
+        <translation>incertidumbre del ensayo</translation>
     </message>
     <message>
         <source>uncertainty of the test values</source>
-        <translation type="unfinished"></translation>
+        <translation>incertidumbre de los valores de ensayo</translation>
     </message>
     <message>
         <source>measured length at position %1</source>
-        <translation type="unfinished"></translation>
+        <translation>longitud medida en la posición %1</translation>
     </message>
     <message>
         <source>distance of both faces at position %1</source>
-        <translation type="unfinished"></translation>
+        <translation>distancia de ambas caras en la posición %1</translation>
     </message>
     <message>
         <source>error at position %1</source>
-        <translation type="unfinished"></translation>
+        <translation>error en la posición %1</translation>
     </message>
     <message>
         <source>there are two tests of position &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>hay dos ensayos de la posición &apos;%1&apos;</translation>
     </message>
     <message>
         <source>the length at position &apos;%1&apos; has no reference</source>
-        <translation type="unfinished"></translation>
+        <translation>la longitud en la posición &apos;%1&apos; no tiene referencia</translation>
     </message>
     <message>
         <source>the two-face test of position &apos;%1&apos; has a reference length</source>
-        <translation type="unfinished"></translation>
+        <translation>el ensayo de dos caras de la posición &apos;%1&apos; tiene una longitud de referencia</translation>
     </message>
     <message>
         <source>nothing says the MPE of position &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>nada dice el MPE de la posición &apos;%1&apos;</translation>
     </message>
     <message>
         <source>The tracker conforms at every position.</source>
-        <translation type="unfinished"></translation>
+        <translation>El seguidor es conforme en todas las posiciones.</translation>
     </message>
     <message>
         <source>The tracker does not conform.</source>
-        <translation type="unfinished"></translation>
+        <translation>El seguidor no es conforme.</translation>
     </message>
     <message>
         <source>Some positions are not decided: the test is not good enough to tell.</source>
-        <translation type="unfinished"></translation>
+        <translation>Algunas posiciones quedan sin decidir: el ensayo no es lo bastante bueno para saberlo.</translation>
     </message>
     <message>
         <source>distance %1</source>
-        <translation type="unfinished"></translation>
+        <translation>distancia %1</translation>
     </message>
     <message>
         <source>pose %1</source>
-        <translation type="unfinished"></translation>
+        <translation>pose %1</translation>
     </message>
     <message>
         <source>directions of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>direcciones de %1</translation>
     </message>
     <message>
         <source>drift of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>deriva de %1</translation>
     </message>
     <message>
         <source>base of the robot</source>
-        <translation type="unfinished"></translation>
+        <translation>base del robot</translation>
     </message>
     <message>
         <source>references</source>
-        <translation type="unfinished"></translation>
+        <translation>referencias</translation>
     </message>
     <message>
         <source>tracker</source>
-        <translation type="unfinished"></translation>
+        <translation>seguidor</translation>
     </message>
     <message>
         <source>&apos;%1&apos; in row %2 of %3 must be %4, not %5: %6</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; en la fila %2 de %3 debe ser %4, no %5: %6</translation>
     </message>
     <message>
         <source>%1 must be a number, not %2: %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 debe ser un número, no %2: %3</translation>
     </message>
     <message>
         <source>%1 must be true or false, not %2: %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 debe ser true o false, no %2: %3</translation>
     </message>
     <message>
         <source>a difference of temperatures is given in %1</source>
-        <translation type="unfinished"></translation>
+        <translation>una diferencia de temperaturas se da en %1</translation>
     </message>
     <message>
         <source>write true or false, without quotes</source>
-        <translation type="unfinished"></translation>
+        <translation>escriba true o false, sin comillas</translation>
     </message>
     <message>
         <source>write a text in quotes</source>
-        <translation type="unfinished"></translation>
+        <translation>escriba un texto entre comillas</translation>
     </message>
     <message>
         <source>write it in quotes: &quot;%1&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>escríbalo entre comillas: &quot;%1&quot;</translation>
     </message>
     <message>
         <source>write a number without quotes, such as 0.25, or null where there is none</source>
-        <translation type="unfinished"></translation>
+        <translation>escriba un número sin comillas, como 0.25, o null donde no hay ninguno</translation>
     </message>
     <message>
         <source>write %1, without quotes</source>
-        <translation type="unfinished"></translation>
+        <translation>escriba %1, sin comillas</translation>
     </message>
     <message>
         <source>write a number in %1, the unit of the column, without quotes</source>
-        <translation type="unfinished"></translation>
+        <translation>escriba un número en %1, la unidad de la columna, sin comillas</translation>
     </message>
     <message>
         <source>write %1, without quotes: the unit of the column is %2</source>
-        <translation type="unfinished"></translation>
+        <translation>escriba %1, sin comillas: la unidad de la columna es %2</translation>
     </message>
     <message>
         <source>write %1</source>
-        <translation type="unfinished"></translation>
+        <translation>escriba %1</translation>
     </message>
     <message>
         <source>observations that miss what the others agree on by more than %1 m, and points that nothing tells, are left out, as Gama does</source>
-        <translation type="unfinished"></translation>
+        <translation>las observaciones que se apartan más de %1 m de aquello en lo que concuerdan las demás, y los puntos que nada determina, se omiten, como hace Gama</translation>
     </message>
     <message>
         <source>the file asks for standard deviations a posteriori: for these choose uncertainties as seen, one factor s_0</source>
-        <translation type="unfinished"></translation>
+        <translation>el archivo pide desviaciones típicas a posteriori: para estas elija las incertidumbres observadas, un solo factor s_0</translation>
     </message>
     <message>
         <source>%1: readings are not reduced to an ellipsoid</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: las lecturas no se reducen a un elipsoide</translation>
     </message>
     <message>
         <source>update-constrained-coordinates: the datum keeps the coordinates of the file</source>
-        <translation type="unfinished"></translation>
+        <translation>update-constrained-coordinates: el datum conserva las coordenadas del archivo</translation>
     </message>
     <message>
         <source>Accuracy and repeatability, from the cycles as they are</source>
-        <translation type="unfinished"></translation>
+        <translation>Exactitud y repetibilidad, de los ciclos tal como están</translation>
     </message>
     <message>
         <source>cycles</source>
-        <translation type="unfinished"></translation>
+        <translation>ciclos</translation>
     </message>
     <message>
         <source>What few cycles do to RP</source>
-        <translation type="unfinished"></translation>
+        <translation>Lo que los pocos ciclos hacen a RP</translation>
     </message>
     <message>
         <source>Conformity with the maker&apos;s figures</source>
-        <translation type="unfinished"></translation>
+        <translation>Conformidad con las cifras del fabricante</translation>
     </message>
     <message>
         <source>decision</source>
-        <translation type="unfinished"></translation>
+        <translation>decisión</translation>
     </message>
     <message>
         <source>Is the instrument good enough</source>
-        <translation type="unfinished"></translation>
+        <translation>Si el instrumento es lo bastante bueno</translation>
     </message>
     <message>
         <source>AP over the poses</source>
-        <translation type="unfinished"></translation>
+        <translation>AP sobre las poses</translation>
     </message>
     <message>
         <source>Accuracy and repeatability of the poses</source>
-        <translation type="unfinished"></translation>
+        <translation>Exactitud y repetibilidad de las poses</translation>
     </message>
     <message>
         <source>AP, RP</source>
-        <translation type="unfinished"></translation>
+        <translation>AP, RP</translation>
     </message>
     <message>
         <source>AP</source>
-        <translation type="unfinished"></translation>
+        <translation>AP</translation>
     </message>
     <message>
         <source>RP</source>
-        <translation type="unfinished"></translation>
+        <translation>RP</translation>
     </message>
     <message>
         <source>rated AP</source>
-        <translation type="unfinished"></translation>
+        <translation>AP nominal</translation>
     </message>
     <message>
         <source>rated RP</source>
-        <translation type="unfinished"></translation>
+        <translation>RP nominal</translation>
     </message>
     <message>
         <source>Decisions after ISO 14253-1</source>
-        <translation type="unfinished"></translation>
+        <translation>Decisiones según ISO 14253-1</translation>
     </message>
 </context>
 <context>
@@ -17742,14 +17742,6 @@ nu 18 detrás de cualquiera de ellos: grados de libertad</translation>
     <message>
         <source>stated as</source>
         <translation>indicada como</translation>
-    </message>
-    <message>
-        <source>distribution</source>
-        <translation>distribución</translation>
-    </message>
-    <message>
-        <source>That Monte Carlo draws</source>
-        <translation>De la que extrae Monte Carlo</translation>
     </message>
     <message>
         <source>type</source>
@@ -18099,18 +18091,26 @@ nu 18 detrás de cualquiera de ellos: grados de libertad</translation>
     </message>
     <message>
         <source>Kept projects</source>
-        <translation type="unfinished"></translation>
+        <translation>Proyectos conservados</translation>
     </message>
     <message>
         <source>Recover</source>
-        <translation type="unfinished"></translation>
+        <translation>Recuperar</translation>
     </message>
     <message>
         <source>Later</source>
-        <translation type="unfinished"></translation>
+        <translation>Luego</translation>
     </message>
     <message>
         <source>Discard</source>
+        <translation>Descartar</translation>
+    </message>
+    <message>
+        <source>distr.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distribution that Monte Carlo draws</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -18280,7 +18280,7 @@ nu 18 detrás de cualquiera de ellos: grados de libertad</translation>
     </message>
     <message>
         <source>Show the Field</source>
-        <translation type="unfinished"></translation>
+        <translation>Mostrar el campo</translation>
     </message>
 </context>
 <context>
@@ -20151,11 +20151,11 @@ En esos lugares figura “not stated”. Son campos de la página del proyecto.<
     <name>covaria::ui::InspectorHead</name>
     <message>
         <source>Entry before</source>
-        <translation type="unfinished"></translation>
+        <translation>Entrada anterior</translation>
     </message>
     <message>
         <source>Entry after</source>
-        <translation type="unfinished"></translation>
+        <translation>Entrada siguiente</translation>
     </message>
     <message>
         <source>Properties</source>
@@ -20163,7 +20163,7 @@ En esos lugares figura “not stated”. Son campos de la página del proyecto.<
     </message>
     <message>
         <source>Project and documents</source>
-        <translation type="unfinished"></translation>
+        <translation>Proyecto y documentos</translation>
     </message>
 </context>
 <context>
@@ -21588,15 +21588,15 @@ Lo usan: %1. Tendrán un error hasta que usen otra cosa.</translation>
     </message>
     <message>
         <source>%1 s left</source>
-        <translation type="unfinished"></translation>
+        <translation>quedan %1 s</translation>
     </message>
     <message>
         <source>%1 min left</source>
-        <translation type="unfinished"></translation>
+        <translation>quedan %1 min</translation>
     </message>
     <message>
         <source>%1 h left</source>
-        <translation type="unfinished"></translation>
+        <translation>quedan %1 h</translation>
     </message>
 </context>
 <context>
@@ -22194,7 +22194,7 @@ Lo usan: %1. Tendrán un error hasta que usen otra cosa.</translation>
     </message>
     <message>
         <source>Show All %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Mostrar los %1</translation>
     </message>
 </context>
 <context>

@@ -15181,1699 +15181,1699 @@ sample 1; 2; 3 weights 2; 5; 2 (그대로 뽑음), histogram 0; 1; 2 weights 5; 
     </message>
     <message>
         <source>Geometry from points</source>
-        <translation type="unfinished"></translation>
+        <translation>점으로 구하는 형상</translation>
     </message>
     <message>
         <source>Lines, planes, circles, spheres, cylinders and cones through measured points by orthogonal least squares: place, direction, diameter and form deviation with the full covariance of the points.</source>
-        <translation type="unfinished"></translation>
+        <translation>측정점을 지나는 직선, 평면, 원, 구, 원통, 원뿔을 직교 최소제곱으로 구합니다. 점의 전체 공분산에 의한 위치, 방향, 지름, 형상 편차.</translation>
     </message>
     <message>
         <source>Points weigh alike, whatever their uncertainty, as in least-squares features of coordinate measurement; their covariance goes into the uncertainty of the results.</source>
-        <translation type="unfinished"></translation>
+        <translation>좌표 측정의 최소제곱 형체에서처럼 점은 불확도와 관계없이 같은 가중치를 갖습니다. 점의 공분산은 결과의 불확도에 들어갑니다.</translation>
     </message>
     <message>
         <source>A circle in space is fitted in two steps, as NIST&apos;s: the plane by all points, then the circle by the points projected onto it.</source>
-        <translation type="unfinished"></translation>
+        <translation>공간의 원은 NIST의 방법처럼 두 단계로 맞춥니다. 먼저 모든 점으로 평면을, 다음에 그 평면에 투영한 점으로 원을 맞춥니다.</translation>
     </message>
     <message>
         <source>The direction has its largest component positive; that of a cone leads from the apex into it. &quot;Reversed&quot; turns it. Trials keep the sign of the estimates.</source>
-        <translation type="unfinished"></translation>
+        <translation>방향은 가장 큰 성분이 양이고, 원뿔의 방향은 꼭짓점에서 안쪽을 향합니다. &quot;반전&quot;은 이를 뒤집습니다. 시행은 추정값의 부호를 유지합니다.</translation>
     </message>
     <message>
         <source>The place of a plane or line is the mean of the points; of a cylinder or cone it is the point of the axis next to that mean, so the uncertainty along the axis is that of the mean.</source>
-        <translation type="unfinished"></translation>
+        <translation>평면이나 직선의 위치는 점들의 평균이고, 원통이나 원뿔의 위치는 그 평균에 가장 가까운 축 위의 점입니다. 따라서 축 방향의 불확도는 그 평균의 불확도입니다.</translation>
     </message>
     <message>
         <source>Every trial of a Monte Carlo run fits its points anew. Form deviations of trials are larger than that of the points as measured, for uncertainty adds to what is form.</source>
-        <translation type="unfinished"></translation>
+        <translation>몬테카를로 실행의 모든 시행은 점을 새로 맞춥니다. 시행의 형상 편차는 측정된 점의 형상 편차보다 큽니다. 불확도가 형상에 더해지기 때문입니다.</translation>
     </message>
     <message>
         <source>Features</source>
-        <translation type="unfinished"></translation>
+        <translation>형체</translation>
     </message>
     <message>
         <source>Forms that are fitted to points by orthogonal least squares.</source>
-        <translation type="unfinished"></translation>
+        <translation>직교 최소제곱으로 점에 맞추는 형상.</translation>
     </message>
     <message>
         <source>Name of the feature, unique.</source>
-        <translation type="unfinished"></translation>
+        <translation>형체의 이름, 고유해야 합니다.</translation>
     </message>
     <message>
         <source>form</source>
-        <translation type="unfinished"></translation>
+        <translation>형상</translation>
     </message>
     <message>
         <source>What is fitted to its points. In the xy-plane z does not matter.</source>
-        <translation type="unfinished"></translation>
+        <translation>점에 맞추는 것. xy 평면에서는 z가 상관없습니다.</translation>
     </message>
     <message>
         <source>line</source>
-        <translation type="unfinished"></translation>
+        <translation>직선</translation>
     </message>
     <message>
         <source>circle</source>
-        <translation type="unfinished"></translation>
+        <translation>원</translation>
     </message>
     <message>
         <source>sphere</source>
-        <translation type="unfinished"></translation>
+        <translation>구</translation>
     </message>
     <message>
         <source>cylinder</source>
-        <translation type="unfinished"></translation>
+        <translation>원통</translation>
     </message>
     <message>
         <source>cone</source>
-        <translation type="unfinished"></translation>
+        <translation>원뿔</translation>
     </message>
     <message>
         <source>line in the xy-plane</source>
-        <translation type="unfinished"></translation>
+        <translation>xy 평면의 직선</translation>
     </message>
     <message>
         <source>circle in the xy-plane</source>
-        <translation type="unfinished"></translation>
+        <translation>xy 평면의 원</translation>
     </message>
     <message>
         <source>reversed</source>
-        <translation type="unfinished"></translation>
+        <translation>반전</translation>
     </message>
     <message>
         <source>The direction is stated with the other sign: the largest component of the direction is negative, that of a cone leads to its apex.</source>
-        <translation type="unfinished"></translation>
+        <translation>방향을 반대 부호로 나타냅니다. 방향의 가장 큰 성분이 음이고, 원뿔의 방향은 꼭짓점을 향합니다.</translation>
     </message>
     <message>
         <source>Form deviations</source>
-        <translation type="unfinished"></translation>
+        <translation>형상 편차</translation>
     </message>
     <message>
         <source>Peak to valley and root mean square of the points&apos; deviations from their feature are results too.</source>
-        <translation type="unfinished"></translation>
+        <translation>형체에서 벗어난 점의 편차의 최대-최소 폭과 제곱평균제곱근도 결과입니다.</translation>
     </message>
     <message>
         <source>Measured points of the features, typed, pasted or from a CSV file.</source>
-        <translation type="unfinished"></translation>
+        <translation>형체의 측정점. 직접 입력하거나 붙여넣거나 CSV 파일에서 읽습니다.</translation>
     </message>
     <message>
         <source>feature</source>
-        <translation type="unfinished"></translation>
+        <translation>형체</translation>
     </message>
     <message>
         <source>The feature that it is a point of; empty: that of the row above, of the first row the first.</source>
-        <translation type="unfinished"></translation>
+        <translation>점이 속한 형체. 비어 있으면 윗행의 형체, 첫 행이면 첫째 형체.</translation>
     </message>
     <message>
         <source>Name of the point, unique in its feature; empty: its number. Of points that an analysis measured the name there.</source>
-        <translation type="unfinished"></translation>
+        <translation>점의 이름, 형체 안에서 고유해야 합니다. 비어 있으면 점의 번호. 분석이 측정한 점이면 그 분석에서의 이름.</translation>
     </message>
     <message>
         <source>Measured coordinate x; empty where the point is a feature of an analysis, and z in the xy-plane.</source>
-        <translation type="unfinished"></translation>
+        <translation>측정한 좌표 x. 점이 분석의 형체이면 비워 두며, xy 평면에서는 z도 비워 둡니다.</translation>
     </message>
     <message>
         <source>Measured coordinate y; empty where the point is a feature of an analysis, and z in the xy-plane.</source>
-        <translation type="unfinished"></translation>
+        <translation>측정한 좌표 y. 점이 분석의 형체이면 비워 두며, xy 평면에서는 z도 비워 둡니다.</translation>
     </message>
     <message>
         <source>Measured coordinate z; empty where the point is a feature of an analysis, and z in the xy-plane.</source>
-        <translation type="unfinished"></translation>
+        <translation>측정한 좌표 z. 점이 분석의 형체이면, 또 xy 평면에서는 비워 둡니다.</translation>
     </message>
     <message>
         <source>Standard uncertainty of coordinate x of this point; empty: as for all points.</source>
-        <translation type="unfinished"></translation>
+        <translation>이 점의 좌표 x의 표준불확도. 비어 있으면 모든 점에 대한 값.</translation>
     </message>
     <message>
         <source>Standard uncertainty of coordinate y of this point; empty: as for all points.</source>
-        <translation type="unfinished"></translation>
+        <translation>이 점의 좌표 y의 표준불확도. 비어 있으면 모든 점에 대한 값.</translation>
     </message>
     <message>
         <source>Standard uncertainty of coordinate z of this point; empty: as for all points.</source>
-        <translation type="unfinished"></translation>
+        <translation>이 점의 좌표 z의 표준불확도. 비어 있으면 모든 점에 대한 값.</translation>
     </message>
     <message>
         <source>Correlation coefficient of the point&apos;s own x and y.</source>
-        <translation type="unfinished"></translation>
+        <translation>점 자신의 x와 y의 상관계수.</translation>
     </message>
     <message>
         <source>Correlation coefficient of the point&apos;s own x and z.</source>
-        <translation type="unfinished"></translation>
+        <translation>점 자신의 x와 z의 상관계수.</translation>
     </message>
     <message>
         <source>Correlation coefficient of the point&apos;s own y and z.</source>
-        <translation type="unfinished"></translation>
+        <translation>점 자신의 y와 z의 상관계수.</translation>
     </message>
     <message>
         <source>Typed, from the scatter of the points about their feature, or of what measured them: an instrument of the project, or an analysis whose results are points.</source>
-        <translation type="unfinished"></translation>
+        <translation>직접 입력하거나, 형체 둘레 점의 산포에서, 또는 점을 측정한 것에서 구합니다. 곧 프로젝트의 측정기, 또는 결과가 점인 분석입니다.</translation>
     </message>
     <message>
         <source>from the scatter about the feature</source>
-        <translation type="unfinished"></translation>
+        <translation>형체 둘레의 산포에서</translation>
     </message>
     <message>
         <source>an instrument or an analysis</source>
-        <translation type="unfinished"></translation>
+        <translation>측정기 또는 분석</translation>
     </message>
     <message>
         <source>Of every coordinate of every point that states none, independent of all others.</source>
-        <translation type="unfinished"></translation>
+        <translation>불확도를 제시하지 않은 모든 점의 모든 좌표에 대한 값, 서로 독립입니다.</translation>
     </message>
     <message>
         <source>Standard uncertainty of a deviation along x that all points share beside their own: where the instrument stands.</source>
-        <translation type="unfinished"></translation>
+        <translation>모든 점이 자체 편차 외에 공유하는 x 방향 편차의 표준불확도: 측정기가 놓인 곳.</translation>
     </message>
     <message>
         <source>Standard uncertainty of a deviation along y that all points share beside their own: where the instrument stands.</source>
-        <translation type="unfinished"></translation>
+        <translation>모든 점이 자체 편차 외에 공유하는 y 방향 편차의 표준불확도: 측정기가 놓인 곳.</translation>
     </message>
     <message>
         <source>Common u of z</source>
-        <translation type="unfinished"></translation>
+        <translation>z의 공통 u</translation>
     </message>
     <message>
         <source>Standard uncertainty of a deviation along z that all points share beside their own: where the instrument stands.</source>
-        <translation type="unfinished"></translation>
+        <translation>모든 점이 자체 편차 외에 공유하는 z 방향 편차의 표준불확도: 측정기가 놓인 곳.</translation>
     </message>
     <message>
         <source>Measured by</source>
-        <translation type="unfinished"></translation>
+        <translation>측정한 것</translation>
     </message>
     <message>
         <source>An instrument that stands somewhere, whose scale and station are alike for all points; or an analysis, whose points are known by their names and are evaluated with this one in every trial.</source>
-        <translation type="unfinished"></translation>
+        <translation>어딘가에 설치되어 스케일과 스테이션이 모든 점에 같은 측정기, 또는 점을 이름으로 알아보고 시행마다 이 분석과 함께 평가하는 분석.</translation>
     </message>
     <message>
         <source>Relation of features</source>
-        <translation type="unfinished"></translation>
+        <translation>형체 사이의 관계</translation>
     </message>
     <message>
         <source>Distances, angles, intersections and frames of features and points that other analyses measured, or that are typed.</source>
-        <translation type="unfinished"></translation>
+        <translation>다른 분석이 측정했거나 직접 입력한 형체와 점의 거리, 각, 교점과 교선, 좌표계.</translation>
     </message>
     <message>
         <source>Features are evaluated with the relations as one model in every trial: what two features have in common, as the station of their instrument, cancels where it cancels.</source>
-        <translation type="unfinished"></translation>
+        <translation>형체는 시행마다 관계와 함께 하나의 모델로 평가합니다. 측정기의 스테이션처럼 두 형체에 공통인 것은 상쇄되는 곳에서 상쇄됩니다.</translation>
     </message>
     <message>
         <source>A direction is that of the feature, with its sign: of a plane the normal. The angle of a line and a plane is 90° less the angle of their directions.</source>
-        <translation type="unfinished"></translation>
+        <translation>방향은 부호가 있는 형체의 방향이며, 평면이면 법선입니다. 직선과 평면의 각은 90°에서 두 방향의 각을 뺀 것입니다.</translation>
     </message>
     <message>
         <source>The angle of nearly parallel directions is never negative, so its estimate is too large where its uncertainty is not small; tilts have signs and no such bias.</source>
-        <translation type="unfinished"></translation>
+        <translation>거의 평행한 방향의 각은 음이 되지 않으므로 불확도가 작지 않으면 추정값이 너무 큽니다. 기울기는 부호가 있어 그런 편의가 없습니다.</translation>
     </message>
     <message>
         <source>A frame&apos;s angles are those of Z-Y-X: R = Rz(γ) Ry(β) Rx(α).</source>
-        <translation type="unfinished"></translation>
+        <translation>좌표계의 각은 Z-Y-X의 각입니다: R = Rz(γ) Ry(β) Rx(α).</translation>
     </message>
     <message>
         <source>Results of analyses (features, targets, frames&apos; origins), or typed ones, such as the direction of gravity.</source>
-        <translation type="unfinished"></translation>
+        <translation>분석의 결과(형체, 표적, 좌표계의 원점), 또는 중력 방향처럼 직접 입력한 것.</translation>
     </message>
     <message>
         <source>Name of the feature here, unique.</source>
-        <translation type="unfinished"></translation>
+        <translation>여기에서의 형체 이름, 고유해야 합니다.</translation>
     </message>
     <message>
         <source>The analysis whose result it is; empty: place and direction are typed.</source>
-        <translation type="unfinished"></translation>
+        <translation>이 결과를 낸 분석. 비어 있으면 위치와 방향을 직접 입력합니다.</translation>
     </message>
     <message>
         <source>Its name in that analysis: a feature, a target, &quot;apex of C1&quot;; empty: the name here.</source>
-        <translation type="unfinished"></translation>
+        <translation>그 분석에서의 이름: 형체, 표적, &quot;apex of C1&quot;. 비어 있으면 여기의 이름.</translation>
     </message>
     <message>
         <source>Typed coordinate x; empty: 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>입력한 좌표 x. 비어 있으면 0.</translation>
     </message>
     <message>
         <source>Typed coordinate y; empty: 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>입력한 좌표 y. 비어 있으면 0.</translation>
     </message>
     <message>
         <source>Typed coordinate z; empty: 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>입력한 좌표 z. 비어 있으면 0.</translation>
     </message>
     <message>
         <source>Typed direction, component x, of any length; empty: it has none.</source>
-        <translation type="unfinished"></translation>
+        <translation>입력한 방향, 성분 x, 길이는 임의. 비어 있으면 방향이 없습니다.</translation>
     </message>
     <message>
         <source>Typed direction, component y, of any length; empty: it has none.</source>
-        <translation type="unfinished"></translation>
+        <translation>입력한 방향, 성분 y, 길이는 임의. 비어 있으면 방향이 없습니다.</translation>
     </message>
     <message>
         <source>Typed direction, component z, of any length; empty: it has none.</source>
-        <translation type="unfinished"></translation>
+        <translation>입력한 방향, 성분 z, 길이는 임의. 비어 있으면 방향이 없습니다.</translation>
     </message>
     <message>
         <source>Standard uncertainty of each typed coordinate; empty: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>입력한 각 좌표의 표준불확도. 비어 있으면 없음.</translation>
     </message>
     <message>
         <source>Standard uncertainty of the typed direction, of two tilts across it; empty: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>입력한 방향의 표준불확도, 곧 방향에 직각인 두 기울기의 것. 비어 있으면 없음.</translation>
     </message>
     <message>
         <source>Relations</source>
-        <translation type="unfinished"></translation>
+        <translation>관계</translation>
     </message>
     <message>
         <source>Distances, angles, intersections and frames of the features.</source>
-        <translation type="unfinished"></translation>
+        <translation>형체의 거리, 각, 교점과 교선, 좌표계.</translation>
     </message>
     <message>
         <source>Name of the result, unique.</source>
-        <translation type="unfinished"></translation>
+        <translation>결과의 이름, 고유해야 합니다.</translation>
     </message>
     <message>
         <source>relation</source>
-        <translation type="unfinished"></translation>
+        <translation>관계</translation>
     </message>
     <message>
         <source>What is wanted of the features.</source>
-        <translation type="unfinished"></translation>
+        <translation>형체에서 구하려는 것.</translation>
     </message>
     <message>
         <source>distance of two places</source>
-        <translation type="unfinished"></translation>
+        <translation>두 위치의 거리</translation>
     </message>
     <message>
         <source>distance of a place from a plane</source>
-        <translation type="unfinished"></translation>
+        <translation>위치와 평면의 거리</translation>
     </message>
     <message>
         <source>distance of a place from a line</source>
-        <translation type="unfinished"></translation>
+        <translation>위치와 직선의 거리</translation>
     </message>
     <message>
         <source>distance of two lines</source>
-        <translation type="unfinished"></translation>
+        <translation>두 직선의 거리</translation>
     </message>
     <message>
         <source>angle of two directions</source>
-        <translation type="unfinished"></translation>
+        <translation>두 방향의 각</translation>
     </message>
     <message>
         <source>tilts of a direction against another</source>
-        <translation type="unfinished"></translation>
+        <translation>다른 방향에 대한 방향의 기울기</translation>
     </message>
     <message>
         <source>middle of two places</source>
-        <translation type="unfinished"></translation>
+        <translation>두 위치의 중점</translation>
     </message>
     <message>
         <source>foot of a place on a plane</source>
-        <translation type="unfinished"></translation>
+        <translation>평면에 내린 위치의 수선의 발</translation>
     </message>
     <message>
         <source>foot of a place on a line</source>
-        <translation type="unfinished"></translation>
+        <translation>직선에 내린 위치의 수선의 발</translation>
     </message>
     <message>
         <source>intersection of a line and a plane</source>
-        <translation type="unfinished"></translation>
+        <translation>직선과 평면의 교점</translation>
     </message>
     <message>
         <source>intersection of two lines</source>
-        <translation type="unfinished"></translation>
+        <translation>두 직선의 교점</translation>
     </message>
     <message>
         <source>intersection of three planes</source>
-        <translation type="unfinished"></translation>
+        <translation>세 평면의 교점</translation>
     </message>
     <message>
         <source>line of two planes</source>
-        <translation type="unfinished"></translation>
+        <translation>두 평면의 교선</translation>
     </message>
     <message>
         <source>frame: origin, z, x</source>
-        <translation type="unfinished"></translation>
+        <translation>좌표계: 원점, z, x</translation>
     </message>
     <message>
         <source>frame: origin on a plane, its normal z, x</source>
-        <translation type="unfinished"></translation>
+        <translation>좌표계: 평면 위의 원점, 법선 z, x</translation>
     </message>
     <message>
         <source>A feature: the place, line or plane that is asked about; of a frame its origin.</source>
-        <translation type="unfinished"></translation>
+        <translation>형체: 구하려는 위치, 직선 또는 평면. 좌표계이면 원점.</translation>
     </message>
     <message>
         <source>Another one: what it is related to; of a frame the direction of z.</source>
-        <translation type="unfinished"></translation>
+        <translation>다른 형체: 관계를 맺는 상대. 좌표계이면 z의 방향.</translation>
     </message>
     <message>
         <source>third</source>
-        <translation type="unfinished"></translation>
+        <translation>셋째</translation>
     </message>
     <message>
         <source>A third one: the third plane; of a frame and of tilts what x points to, along its direction if it has one, else towards its place.</source>
-        <translation type="unfinished"></translation>
+        <translation>셋째 형체: 세 번째 평면. 좌표계와 기울기에서는 x가 가리키는 것으로, 방향이 있으면 그 방향을 따르고 없으면 그 위치를 향합니다.</translation>
     </message>
     <message>
         <source>Distance meter on a baseline</source>
-        <translation type="unfinished"></translation>
+        <translation>기선 위의 거리계</translation>
     </message>
     <message>
         <source>Zero offset and standard deviation of a distance meter from distances between all pairs of pillars on a line, with their uncertainties, and the statistical tests of ISO 17123-4; its scale, where lengths of the baseline are known.</source>
-        <translation type="unfinished"></translation>
+        <translation>직선 위 모든 기둥 쌍 사이의 거리에서 구한 거리계의 영점 오프셋과 표준편차, 그 불확도, ISO 17123-4의 통계 검정. 기선의 길이가 알려져 있으면 척도도 구합니다.</translation>
     </message>
     <message>
         <source>All pairs of n pillars, read once each: the cofactor of the zero offset is 6/((n − 1)(n − 2)) whatever the lengths, and there are n (n − 1)/2 − n degrees of freedom.</source>
-        <translation type="unfinished"></translation>
+        <translation>기둥 n개의 모든 쌍을 한 번씩 읽으면 영점 오프셋의 여인수는 길이와 관계없이 6/((n − 1)(n − 2))이고, 자유도는 n (n − 1)/2 − n입니다.</translation>
     </message>
     <message>
         <source>Limits of the tests are quantiles of chi-squared, F and t for the degrees of freedom that the readings have, not figures of a table.</source>
-        <translation type="unfinished"></translation>
+        <translation>검정의 한계는 표의 수치가 아니라, 읽음값이 갖는 자유도에 대한 카이제곱, F, t의 분위수입니다.</translation>
     </message>
     <message>
         <source>Any set of readings that tells the unknowns is adjusted, also one with pairs left out or repeated; readings that repeat without the instrument set up anew agree better than the instrument does.</source>
-        <translation type="unfinished"></translation>
+        <translation>미지수를 알려 주는 읽음값이면 쌍이 빠지거나 반복된 것이라도 조정합니다. 측정기를 새로 설치하지 않고 반복한 읽음값은 측정기의 능력보다 더 잘 일치합니다.</translation>
     </message>
     <message>
         <source>Distances count with equal weights.</source>
-        <translation type="unfinished"></translation>
+        <translation>거리의 가중치는 모두 같습니다.</translation>
     </message>
     <message>
         <source>Distances between pillars that stand on a line, best of all pairs, each with the instrument set up anew.</source>
-        <translation type="unfinished"></translation>
+        <translation>한 직선 위에 있는 기둥 사이의 거리. 측정기를 매번 새로 설치하여 모든 쌍을 읽는 것이 가장 좋습니다.</translation>
     </message>
     <message>
         <source>Pillar of the instrument.</source>
-        <translation type="unfinished"></translation>
+        <translation>측정기의 기둥.</translation>
     </message>
     <message>
         <source>Pillar of the reflector.</source>
-        <translation type="unfinished"></translation>
+        <translation>반사경의 기둥.</translation>
     </message>
     <message>
         <source>As read, with the correction for the atmosphere and without one for the zero.</source>
-        <translation type="unfinished"></translation>
+        <translation>읽은 대로. 대기 보정은 하고 영점 보정은 하지 않은 값.</translation>
     </message>
     <message>
         <source>Of the reflector above the instrument, where the distance is a slope distance; empty: it is horizontal.</source>
-        <translation type="unfinished"></translation>
+        <translation>거리가 경사거리일 때 측정기 위로 잰 반사경의 높이. 비어 있으면 수평거리입니다.</translation>
     </message>
     <message>
         <source>Tests</source>
-        <translation type="unfinished"></translation>
+        <translation>검정</translation>
     </message>
     <message>
         <source>σ, stated or wanted</source>
-        <translation type="unfinished"></translation>
+        <translation>σ, 제시되거나 필요한 값</translation>
     </message>
     <message>
         <source>Standard deviation of one distance that test a holds s against: of the maker, or what a job needs. Empty: no test a.</source>
-        <translation type="unfinished"></translation>
+        <translation>검정 a에서 s와 비교하는 거리 하나의 표준편차: 제조사의 값 또는 작업에 필요한 값. 비어 있으면 검정 a 없음.</translation>
     </message>
     <message>
         <source>s of another campaign</source>
-        <translation type="unfinished"></translation>
+        <translation>다른 측정의 s</translation>
     </message>
     <message>
         <source>Experimental standard deviation that test b compares s with: of another instrument or day. Empty: no test b.</source>
-        <translation type="unfinished"></translation>
+        <translation>검정 b에서 s와 비교하는 실험표준편차: 다른 측정기 또는 다른 날의 것. 비어 있으면 검정 b 없음.</translation>
     </message>
     <message>
         <source>Its degrees of freedom</source>
-        <translation type="unfinished"></translation>
+        <translation>그 자유도</translation>
     </message>
     <message>
         <source>Of the s of the other campaign: 14 for all pairs of seven pillars.</source>
-        <translation type="unfinished"></translation>
+        <translation>다른 측정의 s의 자유도. 기둥 일곱 개의 모든 쌍이면 14.</translation>
     </message>
     <message>
         <source>Probability of the tests</source>
-        <translation type="unfinished"></translation>
+        <translation>검정의 확률</translation>
     </message>
     <message>
         <source>1 − α: an instrument that is as good as stated passes a test with this probability.</source>
-        <translation type="unfinished"></translation>
+        <translation>1 − α: 제시된 만큼 좋은 측정기는 이 확률로 검정을 통과합니다.</translation>
     </message>
     <message>
         <source>Scale</source>
-        <translation type="unfinished"></translation>
+        <translation>척도</translation>
     </message>
     <message>
         <source>Scale correction</source>
-        <translation type="unfinished"></translation>
+        <translation>척도 보정</translation>
     </message>
     <message>
         <source>Readings alone say nothing of it: it needs lengths of the baseline that are known better.</source>
-        <translation type="unfinished"></translation>
+        <translation>읽음값만으로는 알 수 없습니다. 더 정확히 알려진 기선의 길이가 필요합니다.</translation>
     </message>
     <message>
         <source>not asked for</source>
-        <translation type="unfinished"></translation>
+        <translation>구하지 않음</translation>
     </message>
     <message>
         <source>by reference lengths</source>
-        <translation type="unfinished"></translation>
+        <translation>기준 길이에 의함</translation>
     </message>
     <message>
         <source>Reference lengths</source>
-        <translation type="unfinished"></translation>
+        <translation>기준 길이</translation>
     </message>
     <message>
         <source>Horizontal lengths from the pillar where the line begins, of a certificate.</source>
-        <translation type="unfinished"></translation>
+        <translation>기선이 시작하는 기둥에서 잰 수평 길이, 성적서의 값.</translation>
     </message>
     <message>
         <source>pillar</source>
-        <translation type="unfinished"></translation>
+        <translation>기둥</translation>
     </message>
     <message>
         <source>As in the readings.</source>
-        <translation type="unfinished"></translation>
+        <translation>읽음값에서와 같음.</translation>
     </message>
     <message>
         <source>From the pillar where the line begins.</source>
-        <translation type="unfinished"></translation>
+        <translation>기선이 시작하는 기둥에서.</translation>
     </message>
     <message>
         <source>Standard uncertainty of this length alone, beside what all share; empty: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>모두가 공유하는 것 외에 이 길이만의 표준불확도. 비어 있으면 없음.</translation>
     </message>
     <message>
         <source>u of the baseline&apos;s scale</source>
-        <translation type="unfinished"></translation>
+        <translation>기선 척도의 u</translation>
     </message>
     <message>
         <source>Relative standard uncertainty that all reference lengths share.</source>
-        <translation type="unfinished"></translation>
+        <translation>모든 기준 길이가 공유하는 상대표준불확도.</translation>
     </message>
     <message>
         <source>u of the correction for the atmosphere</source>
-        <translation type="unfinished"></translation>
+        <translation>대기 보정의 u</translation>
     </message>
     <message>
         <source>Relative standard uncertainty that all readings share: 1 °C or 3.5 hPa are about 1 ppm.</source>
-        <translation type="unfinished"></translation>
+        <translation>모든 읽음값이 공유하는 상대표준불확도. 1 °C 또는 3.5 hPa가 약 1 ppm입니다.</translation>
     </message>
     <message>
         <source>Planes, circles, axes and balls through measured points, with form deviations.</source>
-        <translation type="unfinished"></translation>
+        <translation>측정점을 지나는 평면, 원, 축, 구와 그 형상 편차.</translation>
     </message>
     <message>
         <source>Frame, distances and angles of features</source>
-        <translation type="unfinished"></translation>
+        <translation>형체의 좌표계, 거리, 각</translation>
     </message>
     <message>
         <source>A frame as shops make it of a face, a bore and a hole, and where other features are from it.</source>
-        <translation type="unfinished"></translation>
+        <translation>현장에서 하듯이 면, 보어, 구멍으로 만드는 좌표계와, 그 좌표계에서 다른 형체가 있는 곳.</translation>
     </message>
     <message>
         <source>Zero offset and standard deviation of a distance meter, with the tests of ISO 17123-4.</source>
-        <translation type="unfinished"></translation>
+        <translation>거리계의 영점 오프셋과 표준편차, ISO 17123-4의 검정 포함.</translation>
     </message>
     <message>
         <source>Total station on a baseline of seven pillars</source>
-        <translation type="unfinished"></translation>
+        <translation>기둥 일곱 개의 기선에 놓인 토털 스테이션</translation>
     </message>
     <message>
         <source>The distance meter of a total station, tested after ISO 17123-4 with distances between all pairs of seven pillars.</source>
-        <translation type="unfinished"></translation>
+        <translation>토털 스테이션의 거리계를 기둥 일곱 개의 모든 쌍 사이의 거리로 ISO 17123-4에 따라 검정한 것.</translation>
     </message>
     <message>
         <source>Flange and tool of a robot, from measured points</source>
-        <translation type="unfinished"></translation>
+        <translation>측정점에서 구한 로봇의 플랜지와 공구</translation>
     </message>
     <message>
         <source>A laser tracker probed the flange of a robot: its face, its bore, a dowel hole, the shank of a tool and the ball at its tip.</source>
-        <translation type="unfinished"></translation>
+        <translation>레이저 트래커로 로봇의 플랜지를 프로빙했다: 면, 보어, 맞춤핀 구멍, 공구의 섕크, 그 끝의 볼.</translation>
     </message>
     <message>
         <source>Form deviations of a turned part</source>
-        <translation type="unfinished"></translation>
+        <translation>선삭 부품의 형상 편차</translation>
     </message>
     <message>
         <source>A coordinate measuring machine probed a seat, a taper, a face and a groove.</source>
-        <translation type="unfinished"></translation>
+        <translation>좌표 측정기로 시트, 테이퍼, 면, 홈을 프로빙했다.</translation>
     </message>
     <message>
         <source>%1, point %2, coordinate %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, 점 %2, 좌표 %3</translation>
     </message>
     <message>
         <source>common deviation of all points along %1</source>
-        <translation type="unfinished"></translation>
+        <translation>모든 점의 %1 방향 공통 편차</translation>
     </message>
     <message>
         <source>scatter of the points of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 점의 산포</translation>
     </message>
     <message>
         <source>residuals of %1 points about %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%2 둘레 점 %1개의 잔차</translation>
     </message>
     <message>
         <source>an instrument measures points in space; &apos;%1&apos; lies in the xy-plane: state the uncertainty of its points</source>
-        <translation type="unfinished"></translation>
+        <translation>측정기는 공간의 점을 측정하는데 &apos;%1&apos;은(는) xy 평면에 있습니다. 점의 불확도를 제시하십시오</translation>
     </message>
     <message>
         <source>orthogonal distances of the points from the feature</source>
-        <translation type="unfinished"></translation>
+        <translation>점과 형체의 직교 거리</translation>
     </message>
     <message>
         <source>circle in its plane, cylinder</source>
-        <translation type="unfinished"></translation>
+        <translation>자기 평면의 원, 원통</translation>
     </message>
     <message>
         <source>cone, half angle φ</source>
-        <translation type="unfinished"></translation>
+        <translation>원뿔, 반각 φ</translation>
     </message>
     <message>
         <source>form deviations of m points</source>
-        <translation type="unfinished"></translation>
+        <translation>점 m개의 형상 편차</translation>
     </message>
     <message>
         <source>two features are called &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>두 형체의 이름이 &apos;%1&apos;입니다</translation>
     </message>
     <message>
         <source>%1 has no feature called &apos;%2&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>%1에 &apos;%2&apos;(이)라는 형체가 없습니다</translation>
     </message>
     <message>
         <source>%1 has no value</source>
-        <translation type="unfinished"></translation>
+        <translation>%1에 값이 없습니다</translation>
     </message>
     <message>
         <source>the direction of &apos;%1&apos; is zero</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos;의 방향이 0입니다</translation>
     </message>
     <message>
         <source>typed coordinate</source>
-        <translation type="unfinished"></translation>
+        <translation>입력한 좌표</translation>
     </message>
     <message>
         <source>tilt of the typed direction</source>
-        <translation type="unfinished"></translation>
+        <translation>입력한 방향의 기울기</translation>
     </message>
     <message>
         <source>%1, direction along %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, %2 방향 성분</translation>
     </message>
     <message>
         <source>two relations are called &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>두 관계의 이름이 &apos;%1&apos;입니다</translation>
     </message>
     <message>
         <source>&apos;%1&apos; takes two features; leave the third empty</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos;은(는) 형체 둘을 취합니다. 셋째는 비워 두십시오</translation>
     </message>
     <message>
         <source>&apos;%1&apos; needs three features</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos;에는 형체 셋이 필요합니다</translation>
     </message>
     <message>
         <source>there is no feature &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>형체 &apos;%1&apos;이(가) 없습니다</translation>
     </message>
     <message>
         <source>&apos;%1&apos; has no direction, which &apos;%2&apos; needs</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos;에 방향이 없는데 &apos;%2&apos;에는 방향이 필요합니다</translation>
     </message>
     <message>
         <source>%1, distance</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, 거리</translation>
     </message>
     <message>
         <source>%1, angle</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, 각</translation>
     </message>
     <message>
         <source>%1, tilt towards x</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, x 쪽 기울기</translation>
     </message>
     <message>
         <source>%1, tilt towards y</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, y 쪽 기울기</translation>
     </message>
     <message>
         <source>%1, rotation about %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, %2 둘레 회전</translation>
     </message>
     <message>
         <source>the two places are the same</source>
-        <translation type="unfinished"></translation>
+        <translation>두 위치가 같습니다</translation>
     </message>
     <message>
         <source>the place is on the line</source>
-        <translation type="unfinished"></translation>
+        <translation>위치가 직선 위에 있습니다</translation>
     </message>
     <message>
         <source>the two are parallel</source>
-        <translation type="unfinished"></translation>
+        <translation>둘이 평행합니다</translation>
     </message>
     <message>
         <source>the directions are parallel: ask for tilts, which have a sign</source>
-        <translation type="unfinished"></translation>
+        <translation>방향이 평행합니다. 부호가 있는 기울기를 구하십시오</translation>
     </message>
     <message>
         <source>the line is parallel to the plane</source>
-        <translation type="unfinished"></translation>
+        <translation>직선이 평면에 평행합니다</translation>
     </message>
     <message>
         <source>the three planes have no common point</source>
-        <translation type="unfinished"></translation>
+        <translation>세 평면에 공통점이 없습니다</translation>
     </message>
     <message>
         <source>x and z are parallel</source>
-        <translation type="unfinished"></translation>
+        <translation>x와 z가 평행합니다</translation>
     </message>
     <message>
         <source>&apos;%1&apos;: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos;: %2</translation>
     </message>
     <message>
         <source>elementary geometry; p places, n unit directions of the first, second, third</source>
-        <translation type="unfinished"></translation>
+        <translation>초등 기하. p는 위치, n은 첫째, 둘째, 셋째의 단위 방향</translation>
     </message>
     <message>
         <source>from a plane; from a line the length across n₂</source>
-        <translation type="unfinished"></translation>
+        <translation>평면까지. 직선까지는 n₂에 직각인 길이</translation>
     </message>
     <message>
         <source>between lines</source>
-        <translation type="unfinished"></translation>
+        <translation>두 직선 사이</translation>
     </message>
     <message>
         <source>tilts, z = n₂</source>
-        <translation type="unfinished"></translation>
+        <translation>기울기, z = n₂</translation>
     </message>
     <message>
         <source>frames, v of the third</source>
-        <translation type="unfinished"></translation>
+        <translation>좌표계, v는 셋째의 것</translation>
     </message>
     <message>
         <source>centre of %1, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 중심, %2</translation>
     </message>
     <message>
         <source>point on the axis of %1, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 축 위의 점, %2</translation>
     </message>
     <message>
         <source>place of %1, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 위치, %2</translation>
     </message>
     <message>
         <source>point on %1, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 위의 점, %2</translation>
     </message>
     <message>
         <source>normal of %1, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 법선, %2</translation>
     </message>
     <message>
         <source>direction of the axis of %1, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 축 방향, %2</translation>
     </message>
     <message>
         <source>direction of %1, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 방향, %2</translation>
     </message>
     <message>
         <source>flatness deviation of %1, peak to valley</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 평면도 편차, 최대-최소</translation>
     </message>
     <message>
         <source>straightness deviation of %1, peak to valley</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 진직도 편차, 최대-최소</translation>
     </message>
     <message>
         <source>roundness deviation of %1, peak to valley</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 진원도 편차, 최대-최소</translation>
     </message>
     <message>
         <source>cylindricity deviation of %1, peak to valley</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 원통도 편차, 최대-최소</translation>
     </message>
     <message>
         <source>form deviation of %1, peak to valley</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 형상 편차, 최대-최소</translation>
     </message>
     <message>
         <source>diameter of %1 at its point</source>
-        <translation type="unfinished"></translation>
+        <translation>그 점에서 %1의 지름</translation>
     </message>
     <message>
         <source>diameter of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 지름</translation>
     </message>
     <message>
         <source>angle of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 각</translation>
     </message>
     <message>
         <source>form deviation of %1, root mean square</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 형상 편차, 제곱평균제곱근</translation>
     </message>
     <message>
         <source>apex of %1, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 꼭짓점, %2</translation>
     </message>
     <message>
         <source>two points of &apos;%1&apos; are called &apos;%2&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos;의 두 점의 이름이 &apos;%2&apos;입니다</translation>
     </message>
     <message>
         <source>%1 has no point called &apos;%2&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>%1에 &apos;%2&apos;(이)라는 점이 없습니다</translation>
     </message>
     <message>
         <source>point &apos;%1&apos; has no coordinate %2</source>
-        <translation type="unfinished"></translation>
+        <translation>점 &apos;%1&apos;에 좌표 %2이(가) 없습니다</translation>
     </message>
     <message>
         <source>&apos;%1&apos; has %2 points; a %3 needs %4 or more</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos;에 점이 %2개 있습니다. %3에는 %4개 이상이 필요합니다</translation>
     </message>
     <message>
         <source>the %1 points of &apos;%2&apos; do not scatter: with so few the form goes through all of them; add points, or state their uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%2&apos;의 점 %1개가 흩어지지 않습니다. 점이 이렇게 적으면 형상이 모든 점을 지납니다. 점을 추가하거나 그 불확도를 제시하십시오</translation>
     </message>
     <message>
         <source>the points of &apos;%1&apos;: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos;의 점: %2</translation>
     </message>
     <message>
         <source>the points of &apos;%1&apos; lie exactly on it: their scatter says nothing of their uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos;의 점이 정확히 그 위에 있습니다. 그 산포로는 불확도를 알 수 없습니다</translation>
     </message>
     <message>
         <source>they are so nearly flat or straight that they determine no radius</source>
-        <translation type="unfinished"></translation>
+        <translation>거의 평면이거나 직선이어서 반지름을 정할 수 없습니다</translation>
     </message>
     <message>
         <source>no %1 that fits them was found</source>
-        <translation type="unfinished"></translation>
+        <translation>점에 맞는 %1을(를) 찾지 못했습니다</translation>
     </message>
     <message>
         <source>all of them are the same</source>
-        <translation type="unfinished"></translation>
+        <translation>모두 같습니다</translation>
     </message>
     <message>
         <source>they are too far from each other</source>
-        <translation type="unfinished"></translation>
+        <translation>서로 너무 멀리 떨어져 있습니다</translation>
     </message>
     <message>
         <source>they lie on a straight line</source>
-        <translation type="unfinished"></translation>
+        <translation>한 직선 위에 있습니다</translation>
     </message>
     <message>
         <source>they lie on a plane</source>
-        <translation type="unfinished"></translation>
+        <translation>한 평면 위에 있습니다</translation>
     </message>
     <message>
         <source>How well the points determine the features</source>
-        <translation type="unfinished"></translation>
+        <translation>점으로 형체가 정해지는 정도</translation>
     </message>
     <message>
         <source>at a standard deviation of 1 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>표준편차 1 mm일 때</translation>
     </message>
     <message>
         <source>at the scatter of the points</source>
-        <translation type="unfinished"></translation>
+        <translation>점의 산포일 때</translation>
     </message>
     <message>
         <source>Standard uncertainties that independent deviations of all coordinates alike would give, first with a standard deviation of 1 mm: they depend on where the points are alone. Places and tilts are along the directions in which they are largest and smallest.</source>
-        <translation type="unfinished"></translation>
+        <translation>모든 좌표에 같은 크기의 독립 편차가 주는 표준불확도. 먼저 표준편차 1 mm인 경우이며, 이는 점이 놓인 곳에만 따릅니다. 위치와 기울기는 불확도가 가장 크고 가장 작은 방향으로 나타냅니다.</translation>
     </message>
     <message>
         <source>place across the axis</source>
-        <translation type="unfinished"></translation>
+        <translation>축에 직각인 위치</translation>
     </message>
     <message>
         <source>place</source>
-        <translation type="unfinished"></translation>
+        <translation>위치</translation>
     </message>
     <message>
         <source>offset across the line</source>
-        <translation type="unfinished"></translation>
+        <translation>직선에 직각인 오프셋</translation>
     </message>
     <message>
         <source>offset along the normal</source>
-        <translation type="unfinished"></translation>
+        <translation>법선 방향 오프셋</translation>
     </message>
     <message>
         <source>diameter</source>
-        <translation type="unfinished"></translation>
+        <translation>지름</translation>
     </message>
     <message>
         <source>angle of the cone</source>
-        <translation type="unfinished"></translation>
+        <translation>원뿔의 각</translation>
     </message>
     <message>
         <source>correlation of diameter and centre along the middle of the arc</source>
-        <translation type="unfinished"></translation>
+        <translation>지름과, 호의 가운데 방향 중심의 상관</translation>
     </message>
     <message>
         <source>angle to both sides of that middle within which the points are</source>
-        <translation type="unfinished"></translation>
+        <translation>점들이 놓인 범위인, 그 가운데에서 양쪽으로의 각</translation>
     </message>
     <message>
         <source>Features and the scatter of their points</source>
-        <translation type="unfinished"></translation>
+        <translation>형체와 그 점의 산포</translation>
     </message>
     <message>
         <source>largest deviation</source>
-        <translation type="unfinished"></translation>
+        <translation>최대 편차</translation>
     </message>
     <message>
         <source>s is the root of the sum of squares of the deviations over the degrees of freedom.</source>
-        <translation type="unfinished"></translation>
+        <translation>s는 편차의 제곱합을 자유도로 나눈 값의 제곱근입니다.</translation>
     </message>
     <message>
         <source>Deviations of the points from their features</source>
-        <translation type="unfinished"></translation>
+        <translation>형체에서 벗어난 점의 편차</translation>
     </message>
     <message>
         <source>above the plane of the circle</source>
-        <translation type="unfinished"></translation>
+        <translation>원의 평면 위</translation>
     </message>
     <message>
         <source>Positive outside of a circle, sphere, cylinder or cone and on the side of a plane to which its normal points; of a line in space the distance.</source>
-        <translation type="unfinished"></translation>
+        <translation>원, 구, 원통, 원뿔의 바깥쪽과, 평면의 법선이 향하는 쪽에서 양입니다. 공간의 직선이면 거리입니다.</translation>
     </message>
     <message>
         <source>the points of &apos;%1&apos; are within %2° of the middle of their arc: its diameter has %3 times the standard uncertainty of a coordinate and correlates with the place of the centre by %4</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos;의 점이 호의 가운데에서 %2° 이내에 있습니다. 그 지름의 표준불확도는 좌표의 %3배이고, 중심의 위치와 %4의 상관을 갖습니다</translation>
     </message>
     <message>
         <source>apex of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 꼭짓점</translation>
     </message>
     <message>
         <source>all pairs of pillars, ISO 17123-4</source>
-        <translation type="unfinished"></translation>
+        <translation>기둥의 모든 쌍, ISO 17123-4</translation>
     </message>
     <message>
         <source>N distances between n pillars; JCGM 100 H.3.2</source>
-        <translation type="unfinished"></translation>
+        <translation>기둥 n개 사이의 거리 N개. JCGM 100 H.3.2</translation>
     </message>
     <message>
         <source>JCGM 100 E.4.3</source>
-        <translation type="unfinished"></translation>
+        <translation>JCGM 100 E.4.3</translation>
     </message>
     <message>
         <source>scale, by the reference lengths L_j</source>
-        <translation type="unfinished"></translation>
+        <translation>척도, 기준 길이 L_j에 의함</translation>
     </message>
     <message>
         <source>scatter of the distances</source>
-        <translation type="unfinished"></translation>
+        <translation>거리의 산포</translation>
     </message>
     <message>
         <source>least squares, residuals of %1 distances</source>
-        <translation type="unfinished"></translation>
+        <translation>최소제곱, 거리 %1개의 잔차</translation>
     </message>
     <message>
         <source>zero offset</source>
-        <translation type="unfinished"></translation>
+        <translation>영점 오프셋</translation>
     </message>
     <message>
         <source>place of pillar %1</source>
-        <translation type="unfinished"></translation>
+        <translation>기둥 %1의 위치</translation>
     </message>
     <message>
         <source>standard deviation of one distance</source>
-        <translation type="unfinished"></translation>
+        <translation>거리 하나의 표준편차</translation>
     </message>
     <message>
         <source>few degrees of freedom of s</source>
-        <translation type="unfinished"></translation>
+        <translation>s의 자유도가 적음</translation>
     </message>
     <message>
         <source>reference lengths and their conditions</source>
-        <translation type="unfinished"></translation>
+        <translation>기준 길이와 그 조건</translation>
     </message>
     <message>
         <source>scale of the readings by the atmosphere</source>
-        <translation type="unfinished"></translation>
+        <translation>대기에 의한 읽음값의 척도</translation>
     </message>
     <message>
         <source>correction for the atmosphere</source>
-        <translation type="unfinished"></translation>
+        <translation>대기 보정</translation>
     </message>
     <message>
         <source>scale of the baseline</source>
-        <translation type="unfinished"></translation>
+        <translation>기선의 척도</translation>
     </message>
     <message>
         <source>reference length of pillar %1</source>
-        <translation type="unfinished"></translation>
+        <translation>기둥 %1의 기준 길이</translation>
     </message>
     <message>
         <source>reference length</source>
-        <translation type="unfinished"></translation>
+        <translation>기준 길이</translation>
     </message>
     <message>
         <source>zero offset, added to a reading</source>
-        <translation type="unfinished"></translation>
+        <translation>영점 오프셋, 읽음값에 더함</translation>
     </message>
     <message>
         <source>scale correction, times a reading</source>
-        <translation type="unfinished"></translation>
+        <translation>척도 보정, 읽음값에 곱함</translation>
     </message>
     <message>
         <source>the readings do not tell the zero offset from the lengths: some line of three pillars must be read whole and in parts</source>
-        <translation type="unfinished"></translation>
+        <translation>읽음값으로 영점 오프셋과 길이를 구별할 수 없습니다. 기둥 세 개의 어떤 직선을 전체와 부분으로 모두 읽어야 합니다</translation>
     </message>
     <message>
         <source>a distance from pillar &apos;%1&apos; to itself</source>
-        <translation type="unfinished"></translation>
+        <translation>기둥 &apos;%1&apos;에서 자신까지의 거리</translation>
     </message>
     <message>
         <source>the height difference in row %1 is not shorter than the slope distance</source>
-        <translation type="unfinished"></translation>
+        <translation>%1행의 높이차가 경사거리보다 짧지 않습니다</translation>
     </message>
     <message>
         <source>a zero offset needs distances between three pillars or more</source>
-        <translation type="unfinished"></translation>
+        <translation>영점 오프셋에는 셋 이상의 기둥 사이의 거리가 필요합니다</translation>
     </message>
     <message>
         <source>%1 distances for %2 lengths and the zero offset leave nothing that would tell the scatter: read more pairs of pillars</source>
-        <translation type="unfinished"></translation>
+        <translation>길이 %2개와 영점 오프셋에 대한 거리 %1개로는 산포를 알려 줄 것이 남지 않습니다. 기둥 쌍을 더 읽으십시오</translation>
     </message>
     <message>
         <source>the distances do not connect all pillars</source>
-        <translation type="unfinished"></translation>
+        <translation>거리가 모든 기둥을 연결하지 않습니다</translation>
     </message>
     <message>
         <source>pillar &apos;%1&apos; has two reference lengths</source>
-        <translation type="unfinished"></translation>
+        <translation>기둥 &apos;%1&apos;에 기준 길이가 둘 있습니다</translation>
     </message>
     <message>
         <source>no reading is to or from pillar &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>기둥 &apos;%1&apos;을(를) 오가는 읽음값이 없습니다</translation>
     </message>
     <message>
         <source>reference lengths begin at pillar &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>기준 길이는 기둥 &apos;%1&apos;에서 시작합니다</translation>
     </message>
     <message>
         <source>a: s is not larger than the stated σ</source>
-        <translation type="unfinished"></translation>
+        <translation>a: s가 제시된 σ보다 크지 않음</translation>
     </message>
     <message>
         <source>b: s and the s of the other campaign are of one σ, s²/s²</source>
-        <translation type="unfinished"></translation>
+        <translation>b: s와 다른 측정의 s가 같은 σ의 것임, s²/s²</translation>
     </message>
     <message>
         <source>c: the zero offset is not different from zero</source>
-        <translation type="unfinished"></translation>
+        <translation>c: 영점 오프셋이 0과 다르지 않음</translation>
     </message>
     <message>
         <source>A zero offset is seen: add it to readings, or enter it in the instrument.</source>
-        <translation type="unfinished"></translation>
+        <translation>영점 오프셋이 드러납니다. 읽음값에 더하거나 측정기에 입력하십시오.</translation>
     </message>
     <message>
         <source>pillars</source>
-        <translation type="unfinished"></translation>
+        <translation>기둥</translation>
     </message>
     <message>
         <source>s of one distance</source>
-        <translation type="unfinished"></translation>
+        <translation>거리 하나의 s</translation>
     </message>
     <message>
         <source>standard uncertainty of s</source>
-        <translation type="unfinished"></translation>
+        <translation>s의 표준불확도</translation>
     </message>
     <message>
         <source>standard uncertainty of the zero offset</source>
-        <translation type="unfinished"></translation>
+        <translation>영점 오프셋의 표준불확도</translation>
     </message>
     <message>
         <source>cofactor of the zero offset</source>
-        <translation type="unfinished"></translation>
+        <translation>영점 오프셋의 여인수</translation>
     </message>
     <message>
         <source>residual over its s</source>
-        <translation type="unfinished"></translation>
+        <translation>잔차를 그 s로 나눈 값</translation>
     </message>
     <message>
         <source>passed</source>
-        <translation type="unfinished"></translation>
+        <translation>통과</translation>
     </message>
     <message>
         <source>not passed</source>
-        <translation type="unfinished"></translation>
+        <translation>불통과</translation>
     </message>
     <message>
         <source>line of the baseline</source>
-        <translation type="unfinished"></translation>
+        <translation>기선의 직선</translation>
     </message>
     <message>
         <source>baseline</source>
-        <translation type="unfinished"></translation>
+        <translation>기선</translation>
     </message>
     <message>
         <source>scatter</source>
-        <translation type="unfinished"></translation>
+        <translation>산포</translation>
     </message>
     <message>
         <source>the name of the file says that it is a %1</source>
-        <translation type="unfinished"></translation>
+        <translation>파일 이름에 따르면 %1입니다</translation>
     </message>
     <message>
         <source>the file does not say which form its points have: a %1 is fitted; choose another one in the table of features</source>
-        <translation type="unfinished"></translation>
+        <translation>파일은 점의 형상을 밝히지 않습니다. %1(으)로 맞춥니다. 형체의 표에서 다른 것을 고르십시오</translation>
     </message>
     <message>
         <source>the first line is not a number of points</source>
-        <translation type="unfinished"></translation>
+        <translation>첫 줄이 점의 개수가 아닙니다</translation>
     </message>
     <message>
         <source>x y z were expected, %1 columns found</source>
-        <translation type="unfinished"></translation>
+        <translation>x y z가 와야 하지만 열 %1개가 있습니다</translation>
     </message>
     <message>
         <source>the first line announces %1 points, but there are %2</source>
-        <translation type="unfinished"></translation>
+        <translation>첫 줄은 점 %1개라고 하지만 %2개가 있습니다</translation>
     </message>
     <message>
         <source>what stands behind the %1 points</source>
-        <translation type="unfinished"></translation>
+        <translation>점 %1개 뒤에 있는 것</translation>
     </message>
     <message>
         <source>%1 points; their uncertainty is taken from their scatter about the form</source>
-        <translation type="unfinished"></translation>
+        <translation>점 %1개. 불확도는 형상 둘레의 산포에서 구합니다</translation>
     </message>
     <message>
         <source>%1 points; state their uncertainty: the file says nothing of it</source>
-        <translation type="unfinished"></translation>
+        <translation>점 %1개. 그 불확도를 제시하십시오. 파일에는 이에 대한 내용이 없습니다</translation>
     </message>
     <message>
         <source>List of coordinates (NIST .ds)</source>
-        <translation type="unfinished"></translation>
+        <translation>좌표 목록(NIST .ds)</translation>
     </message>
     <message>
         <source>Sheet</source>
-        <translation type="unfinished"></translation>
+        <translation>결과표</translation>
     </message>
     <message>
         <source>Statistical tests</source>
-        <translation type="unfinished"></translation>
+        <translation>통계 검정</translation>
     </message>
     <message>
         <source>test</source>
-        <translation type="unfinished"></translation>
+        <translation>검정</translation>
     </message>
     <message>
         <source>Lengths of the baseline</source>
-        <translation type="unfinished"></translation>
+        <translation>기선의 길이</translation>
     </message>
     <message>
         <source>Readings and their residuals</source>
-        <translation type="unfinished"></translation>
+        <translation>읽음값과 그 잔차</translation>
     </message>
     <message>
         <source>Residuals of the distances</source>
-        <translation type="unfinished"></translation>
+        <translation>거리의 잔차</translation>
     </message>
     <message>
         <source>−s</source>
-        <translation type="unfinished"></translation>
+        <translation>−s</translation>
     </message>
     <message>
         <source>Uncertainties of the points are used</source>
-        <translation type="unfinished"></translation>
+        <translation>점의 불확도 사용</translation>
     </message>
     <message>
         <source>As stated; or as the residuals of least-squares frames see them: stated ones times one common factor, or times the factor of each figure (variance components). Either has the degrees of freedom of its estimate. What all points share stays as stated.</source>
-        <translation type="unfinished"></translation>
+        <translation>제시된 대로, 또는 최소제곱 좌표계의 잔차에서 드러난 대로: 제시된 값에 공통 인자 하나를 곱하거나, 수치마다의 인자를 곱합니다(분산성분). 어느 쪽이든 그 추정의 자유도를 갖습니다. 모든 점이 공유하는 것은 제시된 대로 둡니다.</translation>
     </message>
     <message>
         <source>Zero, scale, refraction, index and collimation of an instrument are unknowns with or without a prior, which all of its readings share.</source>
-        <translation type="unfinished"></translation>
+        <translation>측정기의 영점, 척도, 굴절, 지표 오차, 시준 오차는 사전분포가 있거나 없는 미지수이며, 그 측정기의 모든 읽음값이 공유합니다.</translation>
     </message>
     <message>
         <source>Map projections are not part of it: reduce the readings before. The curvature of the Earth counts in zenith angles where its radius is given.</source>
-        <translation type="unfinished"></translation>
+        <translation>지도 투영은 다루지 않습니다. 읽음값을 미리 환산하십시오. 지구의 반지름을 주면 천정각에서 지구의 곡률을 고려합니다.</translation>
     </message>
     <message>
         <source>Which instrument read it: readings of one kind by one instrument rest on one figure when stated uncertainties are held against the residuals, and share its figures.</source>
-        <translation type="unfinished"></translation>
+        <translation>이 값을 읽은 측정기. 제시된 불확도를 잔차와 비교할 때 한 측정기가 읽은 같은 종류의 읽음값은 하나의 수치를 따르며, 측정기의 수치를 공유합니다.</translation>
     </message>
     <message>
         <source>A reading that is left out stays in the table, and is told among those left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>뺀 읽음값은 표에 남으며, 뺀 것들 가운데 표시합니다.</translation>
     </message>
     <message>
         <source>left out</source>
-        <translation type="unfinished"></translation>
+        <translation>뺌</translation>
     </message>
     <message>
         <source>Figures as seen in</source>
-        <translation type="unfinished"></translation>
+        <translation>드러난 수치의 출처</translation>
     </message>
     <message>
         <source>Another network, rounds of a total station say, whose residuals see what its readings are worth. Readings of the same kind and instrument get the standard uncertainty that it sees, with its degrees of freedom, and follow its readings; others stay as stated here.</source>
-        <translation type="unfinished"></translation>
+        <translation>다른 망, 예를 들어 토털 스테이션의 대회로서, 그 잔차에서 읽음값의 정도가 드러납니다. 같은 종류와 측정기의 읽음값은 거기에서 드러난 표준불확도와 그 자유도를 가지며 그 읽음값을 따라 바뀝니다. 나머지는 여기에 제시된 대로 둡니다.</translation>
     </message>
     <message>
         <source>Figures of instruments</source>
-        <translation type="unfinished"></translation>
+        <translation>측정기의 수치</translation>
     </message>
     <message>
         <source>What an instrument does to all of its readings alike, with what is known of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>측정기가 자신의 모든 읽음값에 똑같이 미치는 영향과, 그에 대해 알려진 것.</translation>
     </message>
     <message>
         <source>Name of the instrument, as in the column of the readings; empty: of all readings without one.</source>
-        <translation type="unfinished"></translation>
+        <translation>읽음값의 열에 있는 것과 같은 측정기의 이름. 비어 있으면 측정기가 없는 모든 읽음값.</translation>
     </message>
     <message>
         <source>What it does to all of its readings alike: its zero is added to distances, by its scale (weather correction included) they are longer, refraction bends its lines of sight, its index is added to zenith angles, its collimation over the sine of the zenith angle to directions.</source>
-        <translation type="unfinished"></translation>
+        <translation>모든 읽음값에 똑같이 미치는 영향: 영점은 거리에 더해지고, 척도(기상 보정 포함)만큼 거리가 길어지며, 굴절은 시준선을 휘게 하고, 지표 오차는 천정각에 더해지며, 시준 오차를 천정각의 사인으로 나눈 값은 방향에 더해집니다.</translation>
     </message>
     <message>
         <source>zero of distances</source>
-        <translation type="unfinished"></translation>
+        <translation>거리의 영점</translation>
     </message>
     <message>
         <source>refraction coefficient</source>
-        <translation type="unfinished"></translation>
+        <translation>굴절 계수</translation>
     </message>
     <message>
         <source>vertical index</source>
-        <translation type="unfinished"></translation>
+        <translation>연직 지표 오차</translation>
     </message>
     <message>
         <source>knowledge</source>
-        <translation type="unfinished"></translation>
+        <translation>알려진 정도</translation>
     </message>
     <message>
         <source>Unknown: the readings tell it; stated with u: its value is one more reading, which all of the instrument&apos;s share; fixed without uncertainty.</source>
-        <translation type="unfinished"></translation>
+        <translation>미지: 읽음값으로 구합니다. u와 함께 제시: 그 값이 또 하나의 읽음값이며 측정기의 모든 읽음값이 공유합니다. 고정: 불확도가 없습니다.</translation>
     </message>
     <message>
         <source>The zero; 0 where it is empty.</source>
-        <translation type="unfinished"></translation>
+        <translation>영점. 비어 있으면 0.</translation>
     </message>
     <message>
         <source>Standard uncertainty of a stated zero.</source>
-        <translation type="unfinished"></translation>
+        <translation>제시된 영점의 표준불확도.</translation>
     </message>
     <message>
         <source>The scale beyond 1, or the refraction coefficient.</source>
-        <translation type="unfinished"></translation>
+        <translation>1을 넘는 척도 부분, 또는 굴절 계수.</translation>
     </message>
     <message>
         <source>u of ratio</source>
-        <translation type="unfinished"></translation>
+        <translation>비의 u</translation>
     </message>
     <message>
         <source>Standard uncertainty of a stated scale or refraction coefficient.</source>
-        <translation type="unfinished"></translation>
+        <translation>제시된 척도나 굴절 계수의 표준불확도.</translation>
     </message>
     <message>
         <source>The index or collimation; 0 where it is empty.</source>
-        <translation type="unfinished"></translation>
+        <translation>지표 오차 또는 시준 오차. 비어 있으면 0.</translation>
     </message>
     <message>
         <source>Standard uncertainty of a stated index or collimation.</source>
-        <translation type="unfinished"></translation>
+        <translation>제시된 지표 오차나 시준 오차의 표준불확도.</translation>
     </message>
     <message>
         <source>Radius of the Earth</source>
-        <translation type="unfinished"></translation>
+        <translation>지구의 반지름</translation>
     </message>
     <message>
         <source>Where the curvature of the Earth counts in zenith angles; empty: it does not.</source>
-        <translation type="unfinished"></translation>
+        <translation>천정각에서 지구의 곡률을 고려할 때의 값. 비어 있으면 고려하지 않습니다.</translation>
     </message>
     <message>
         <source>Refraction coefficient</source>
-        <translation type="unfinished"></translation>
+        <translation>굴절 계수</translation>
     </message>
     <message>
         <source>Of zenith angles, where the curvature of the Earth counts and no instrument states its own.</source>
-        <translation type="unfinished"></translation>
+        <translation>지구의 곡률을 고려하고 측정기가 자신의 계수를 제시하지 않을 때의 천정각에 씁니다.</translation>
     </message>
     <message>
         <source>What is left out</source>
-        <translation type="unfinished"></translation>
+        <translation>빼는 것</translation>
     </message>
     <message>
         <source>Gross readings beyond</source>
-        <translation type="unfinished"></translation>
+        <translation>큰 오차의 한계</translation>
     </message>
     <message>
         <source>Readings that miss what the others agree on (a robust adjustment) by more, an angle at its target, are left out; empty: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>다른 것들이 일치하는 바(로버스트 조정)에서 이보다 더 벗어나는 읽음값을 뺍니다. 각은 표적에서의 거리로 셉니다. 비어 있으면 빼지 않습니다.</translation>
     </message>
     <message>
         <source>Points that nothing tells</source>
-        <translation type="unfinished"></translation>
+        <translation>알 수 없는 점</translation>
     </message>
     <message>
         <source>They are refused, by name; or left out with their readings, and told.</source>
-        <translation type="unfinished"></translation>
+        <translation>이름을 들어 거부하거나, 그 읽음값과 함께 빼고 알립니다.</translation>
     </message>
     <message>
         <source>are refused</source>
-        <translation type="unfinished"></translation>
+        <translation>거부</translation>
     </message>
     <message>
         <source>are left out</source>
-        <translation type="unfinished"></translation>
+        <translation>뺌</translation>
     </message>
     <message>
         <source>Outliers</source>
-        <translation type="unfinished"></translation>
+        <translation>이상값</translation>
     </message>
     <message>
         <source>All readings are kept, and the adjustment says which contradict the others; or the search begins robustly (Huber&apos;s weights), and readings with |w| beyond 3.29 are left out, each with its reason.</source>
-        <translation type="unfinished"></translation>
+        <translation>모든 읽음값을 유지하고 조정이 다른 것들과 모순되는 것을 알리거나, 로버스트하게(Huber의 가중치) 탐색을 시작하여 |w|가 3.29를 넘는 읽음값을 각각 이유와 함께 뺍니다.</translation>
     </message>
     <message>
         <source>are kept</source>
-        <translation type="unfinished"></translation>
+        <translation>유지</translation>
     </message>
     <message>
         <source>robust start, and left out</source>
-        <translation type="unfinished"></translation>
+        <translation>로버스트 시작, 뺌</translation>
     </message>
     <message>
         <source>Uncertainties of the points</source>
-        <translation type="unfinished"></translation>
+        <translation>점의 불확도</translation>
     </message>
     <message>
         <source>As stated; or as the distances of the points from their circles see them: stated ones times one common factor, or times the factor of each figure (variance components). Either has the degrees of freedom of its estimate. What all points share stays as stated.</source>
-        <translation type="unfinished"></translation>
+        <translation>제시된 대로, 또는 점과 그 원 사이의 거리에서 드러난 대로: 제시된 값에 공통 인자 하나를 곱하거나, 수치마다의 인자를 곱합니다(분산성분). 어느 쪽이든 그 추정의 자유도를 갖습니다. 모든 점이 공유하는 것은 제시된 대로 둡니다.</translation>
     </message>
     <message>
         <source>Uncertainties of points and readings</source>
-        <translation type="unfinished"></translation>
+        <translation>점과 읽음값의 불확도</translation>
     </message>
     <message>
         <source>As stated; or as the residuals of this fit see them: stated ones times one common factor, or times the factor of each figure (variance components). Either has the degrees of freedom of its estimate. What all poses share stays as stated.</source>
-        <translation type="unfinished"></translation>
+        <translation>제시된 대로, 또는 이 맞춤의 잔차에서 드러난 대로: 제시된 값에 공통 인자 하나를 곱하거나, 수치마다의 인자를 곱합니다(분산성분). 어느 쪽이든 그 추정의 자유도를 갖습니다. 모든 포즈가 공유하는 것은 제시된 대로 둡니다.</translation>
     </message>
     <message>
         <source>Stated ones weigh the points and are used as they are; or they are used as the residuals see them: times one common factor, or times one of x and one of y. Either has the degrees of freedom of its estimate. What all points share stays as stated.</source>
-        <translation type="unfinished"></translation>
+        <translation>제시된 값은 점의 가중치를 정하고 그대로 쓰거나, 잔차에서 드러난 대로 씁니다. 공통 인자 하나를 곱하거나, x와 y에 인자를 하나씩 곱합니다. 어느 쪽이든 그 추정의 자유도를 갖습니다. 모든 점이 공유하는 것은 제시된 대로 둡니다.</translation>
     </message>
     <message>
         <source>Accuracy and repeatability of poses</source>
-        <translation type="unfinished"></translation>
+        <translation>포즈의 정확도와 반복성</translation>
     </message>
     <message>
         <source>What ISO 9283 asks of a robot, from measured poses: AP and RP, distances, directions of approach, drift; with the uncertainty that few cycles and the instrument leave, and decisions about a maker&apos;s figures.</source>
-        <translation type="unfinished"></translation>
+        <translation>측정한 포즈에서 구하는, ISO 9283이 로봇에 요구하는 것: AP와 RP, 거리, 접근 방향, 드리프트. 적은 사이클과 측정기에서 오는 불확도와, 제조사 수치에 대한 판정을 포함합니다.</translation>
     </message>
     <message>
         <source>RP of the standard comes out too small from few cycles: by 2 % from 30 and 7 % from 10, where the scatter is alike in all directions. The result is multiplied by what that is for the shape of the scatter seen; the table gives RP as the standard defines it beside it.</source>
-        <translation type="unfinished"></translation>
+        <translation>표준의 RP는 사이클이 적으면 너무 작게 나옵니다. 산포가 모든 방향에서 같을 때 30회이면 2 %, 10회이면 7 % 작습니다. 결과에는 드러난 산포의 모양에 해당하는 인자를 곱합니다. 표에는 표준이 정의하는 RP를 함께 보입니다.</translation>
     </message>
     <message>
         <source>Scatter is taken to be normal. The law of RP for the number of cycles and the shape of the scatter comes from up to 4,000 simulated campaigns, always the same ones.</source>
-        <translation type="unfinished"></translation>
+        <translation>산포는 정규로 봅니다. 사이클 수와 산포의 모양에 따른 RP의 분포는 최대 4,000번의 모의 측정에서 구하며, 언제나 같은 것을 씁니다.</translation>
     </message>
     <message>
         <source>Limits and numbers of cycles of the standard are not built in: what is held against a figure is what is entered. Formulas of directions, distances and drift are those in common use; hold them against the text of the standard before a sheet names it.</source>
-        <translation type="unfinished"></translation>
+        <translation>표준의 한계와 사이클 수는 내장되어 있지 않습니다. 수치와 비교하는 것은 입력한 값입니다. 방향, 거리, 드리프트의 식은 널리 쓰이는 것입니다. 결과표에 표준을 적기 전에 그 본문과 대조하십시오.</translation>
     </message>
     <message>
         <source>RP² is split between robot and instrument as if both scattered in one shape.</source>
-        <translation type="unfinished"></translation>
+        <translation>RP²는 로봇과 측정기가 같은 모양으로 흩어지는 것으로 보고 나눕니다.</translation>
     </message>
     <message>
         <source>Commanded poses</source>
-        <translation type="unfinished"></translation>
+        <translation>지령 포즈</translation>
     </message>
     <message>
         <source>Where the robot was sent to.</source>
-        <translation type="unfinished"></translation>
+        <translation>로봇을 보낸 곳.</translation>
     </message>
     <message>
         <source>Name, unique: P1.</source>
-        <translation type="unfinished"></translation>
+        <translation>이름, 고유해야 합니다: P1.</translation>
     </message>
     <message>
         <source>Commanded coordinate x in the base of the robot.</source>
-        <translation type="unfinished"></translation>
+        <translation>로봇의 베이스 좌표계에서 지령 좌표 x.</translation>
     </message>
     <message>
         <source>Commanded coordinate y in the base of the robot.</source>
-        <translation type="unfinished"></translation>
+        <translation>로봇의 베이스 좌표계에서 지령 좌표 y.</translation>
     </message>
     <message>
         <source>Commanded coordinate z in the base of the robot.</source>
-        <translation type="unfinished"></translation>
+        <translation>로봇의 베이스 좌표계에서 지령 좌표 z.</translation>
     </message>
     <message>
         <source>Commanded angle of the orientation; empty: orientations are not evaluated.</source>
-        <translation type="unfinished"></translation>
+        <translation>자세의 지령 각도. 비어 있으면 자세를 평가하지 않습니다.</translation>
     </message>
     <message>
         <source>Attained poses</source>
-        <translation type="unfinished"></translation>
+        <translation>도달 포즈</translation>
     </message>
     <message>
         <source>A row for every cycle in the order of measurement, typed, pasted or from a CSV file. The coordinates are those of the robot&apos;s base.</source>
-        <translation type="unfinished"></translation>
+        <translation>측정 순서대로 사이클마다 한 행. 직접 입력하거나 붙여넣거나 CSV 파일에서 읽습니다. 좌표는 로봇의 베이스 좌표계의 것입니다.</translation>
     </message>
     <message>
         <source>As in the commanded poses.</source>
-        <translation type="unfinished"></translation>
+        <translation>지령 포즈에서와 같음.</translation>
     </message>
     <message>
         <source>From where the pose was approached, where there are several ways; empty: one for all.</source>
-        <translation type="unfinished"></translation>
+        <translation>접근하는 길이 여럿일 때 포즈에 접근한 곳. 비어 있으면 모두 하나의 길.</translation>
     </message>
     <message>
         <source>Of the series of cycles, where it is repeated to see a drift; empty: there is one series.</source>
-        <translation type="unfinished"></translation>
+        <translation>드리프트를 보려고 반복할 때 사이클 계열의 번호. 비어 있으면 계열은 하나입니다.</translation>
     </message>
     <message>
         <source>Attained coordinate x in the base of the robot.</source>
-        <translation type="unfinished"></translation>
+        <translation>로봇의 베이스 좌표계에서 도달 좌표 x.</translation>
     </message>
     <message>
         <source>Attained coordinate y in the base of the robot.</source>
-        <translation type="unfinished"></translation>
+        <translation>로봇의 베이스 좌표계에서 도달 좌표 y.</translation>
     </message>
     <message>
         <source>Attained coordinate z in the base of the robot.</source>
-        <translation type="unfinished"></translation>
+        <translation>로봇의 베이스 좌표계에서 도달 좌표 z.</translation>
     </message>
     <message>
         <source>Attained angle of the orientation.</source>
-        <translation type="unfinished"></translation>
+        <translation>자세의 도달 각도.</translation>
     </message>
     <message>
         <source>Pairs of poses whose distance is held against the commanded one, cycle by cycle.</source>
-        <translation type="unfinished"></translation>
+        <translation>거리를 지령 거리와 사이클별로 비교하는 포즈 쌍.</translation>
     </message>
     <message>
         <source>A commanded pose.</source>
-        <translation type="unfinished"></translation>
+        <translation>지령 포즈.</translation>
     </message>
     <message>
         <source>Another one, with as many cycles.</source>
-        <translation type="unfinished"></translation>
+        <translation>사이클 수가 같은 다른 지령 포즈.</translation>
     </message>
     <message>
         <source>u of a measured coordinate</source>
-        <translation type="unfinished"></translation>
+        <translation>측정한 좌표의 u</translation>
     </message>
     <message>
         <source>Standard uncertainty that all cycles of a pose share: of the instrument and of the robot&apos;s base in its frame. It is part of u(AP), not of RP.</source>
-        <translation type="unfinished"></translation>
+        <translation>한 포즈의 모든 사이클이 공유하는 표준불확도: 측정기의 것과, 측정기의 좌표계에서 로봇 베이스의 것. RP가 아니라 u(AP)에 들어갑니다.</translation>
     </message>
     <message>
         <source>Scatter of the instrument</source>
-        <translation type="unfinished"></translation>
+        <translation>측정기의 산포</translation>
     </message>
     <message>
         <source>What the instrument scatters by itself is part of RP. Where it is known, RP² less its RP² is that of the robot, if both scatter alike in all directions.</source>
-        <translation type="unfinished"></translation>
+        <translation>측정기 자신의 산포는 RP의 일부입니다. 이를 알면, 둘이 모든 방향으로 똑같이 흩어질 때 RP²에서 측정기의 RP²를 뺀 것이 로봇의 것입니다.</translation>
     </message>
     <message>
         <source>not taken out</source>
-        <translation type="unfinished"></translation>
+        <translation>빼지 않음</translation>
     </message>
     <message>
         <source>its RP from a fixed target</source>
-        <translation type="unfinished"></translation>
+        <translation>고정 표적에서 구한 그 RP</translation>
     </message>
     <message>
         <source>readings of a fixed target</source>
-        <translation type="unfinished"></translation>
+        <translation>고정 표적의 읽음값</translation>
     </message>
     <message>
         <source>RP of the instrument alone</source>
-        <translation type="unfinished"></translation>
+        <translation>측정기만의 RP</translation>
     </message>
     <message>
         <source>l̄ + 3 s of readings of a fixed target, as measured in the cell.</source>
-        <translation type="unfinished"></translation>
+        <translation>셀에서 측정한 고정 표적의 읽음값에 대한 l̄ + 3 s.</translation>
     </message>
     <message>
         <source>Its readings</source>
-        <translation type="unfinished"></translation>
+        <translation>그 읽음값의 수</translation>
     </message>
     <message>
         <source>Number of readings that it is taken from: so well is it known.</source>
-        <translation type="unfinished"></translation>
+        <translation>그것을 구한 읽음값의 개수. 그만큼 잘 알려져 있습니다.</translation>
     </message>
     <message>
         <source>Readings of a fixed target</source>
-        <translation type="unfinished"></translation>
+        <translation>고정 표적의 읽음값</translation>
     </message>
     <message>
         <source>Coordinates of a target that does not move, read as the poses were.</source>
-        <translation type="unfinished"></translation>
+        <translation>포즈를 읽은 것처럼 읽은, 움직이지 않는 표적의 좌표.</translation>
     </message>
     <message>
         <source>Read coordinate x.</source>
-        <translation type="unfinished"></translation>
+        <translation>읽은 좌표 x.</translation>
     </message>
     <message>
         <source>Read coordinate y.</source>
-        <translation type="unfinished"></translation>
+        <translation>읽은 좌표 y.</translation>
     </message>
     <message>
         <source>Read coordinate z.</source>
-        <translation type="unfinished"></translation>
+        <translation>읽은 좌표 z.</translation>
     </message>
     <message>
         <source>Decisions</source>
-        <translation type="unfinished"></translation>
+        <translation>판정</translation>
     </message>
     <message>
         <source>Rated AP</source>
-        <translation type="unfinished"></translation>
+        <translation>정격 AP</translation>
     </message>
     <message>
         <source>The maker&apos;s figure; empty: nothing is decided.</source>
-        <translation type="unfinished"></translation>
+        <translation>제조사의 수치. 비어 있으면 판정하지 않습니다.</translation>
     </message>
     <message>
         <source>Rated RP</source>
-        <translation type="unfinished"></translation>
+        <translation>정격 RP</translation>
     </message>
     <message>
         <source>Probability of a decision</source>
-        <translation type="unfinished"></translation>
+        <translation>판정의 확률</translation>
     </message>
     <message>
         <source>A robot conforms where this is the probability that its figure is not above the rated one.</source>
-        <translation type="unfinished"></translation>
+        <translation>로봇의 수치가 정격 값을 넘지 않을 확률이 이 값이면 로봇은 적합합니다.</translation>
     </message>
     <message>
         <source>U of the instrument</source>
-        <translation type="unfinished"></translation>
+        <translation>측정기의 U</translation>
     </message>
     <message>
         <source>Expanded uncertainty of the measured position, k = 2; empty: it is not held against AP and RP.</source>
-        <translation type="unfinished"></translation>
+        <translation>측정한 위치의 확장불확도, k = 2. 비어 있으면 AP, RP와 비교하지 않습니다.</translation>
     </message>
     <message>
         <source>Largest ratio of U to AP, RP</source>
-        <translation type="unfinished"></translation>
+        <translation>U와 AP, RP의 최대 비</translation>
     </message>
     <message>
         <source>What the standard or the contract allows, as it says it.</source>
-        <translation type="unfinished"></translation>
+        <translation>표준이나 계약이 허용하는 값을 거기에 적힌 대로.</translation>
     </message>
     <message>
         <source>Two-face and length tests of a tracker</source>
-        <translation type="unfinished"></translation>
+        <translation>트래커의 양면 시험과 길이 시험</translation>
     </message>
     <message>
         <source>Errors of a laser tracker at the positions of its acceptance test, with the uncertainty of the test, and the decision whether they are within the maximum permissible errors.</source>
-        <translation type="unfinished"></translation>
+        <translation>인수 시험의 위치에서 레이저 트래커의 오차와 시험의 불확도, 그리고 오차가 최대 허용 오차 안에 있는지에 대한 판정.</translation>
     </message>
     <message>
         <source>Positions, numbers of repetitions and limits are those that are entered: none of a standard is built in.</source>
-        <translation type="unfinished"></translation>
+        <translation>위치, 반복 횟수, 한계는 입력한 값입니다. 어떤 표준의 것도 내장되어 있지 않습니다.</translation>
     </message>
     <message>
         <source>The uncertainty of a test value is what the test adds, not the scatter of the tracker: that is what is tested.</source>
-        <translation type="unfinished"></translation>
+        <translation>시험값의 불확도는 시험이 더하는 것이며 트래커의 산포가 아닙니다. 산포는 시험의 대상입니다.</translation>
     </message>
     <message>
         <source>A row for every position, typed, pasted or from a CSV file.</source>
-        <translation type="unfinished"></translation>
+        <translation>위치마다 한 행. 직접 입력하거나 붙여넣거나 CSV 파일에서 읽습니다.</translation>
     </message>
     <message>
         <source>Number or name of the position, unique.</source>
-        <translation type="unfinished"></translation>
+        <translation>위치의 번호나 이름, 고유해야 합니다.</translation>
     </message>
     <message>
         <source>Two-face: a fixed target read in both faces. Length: a reference length.</source>
-        <translation type="unfinished"></translation>
+        <translation>양면: 고정 표적을 정위와 반위로 읽음. 길이: 기준 길이.</translation>
     </message>
     <message>
         <source>two-face</source>
-        <translation type="unfinished"></translation>
+        <translation>양면</translation>
     </message>
     <message>
         <source>Two-face: distance across the beam between the readings of both faces. Length: as measured.</source>
-        <translation type="unfinished"></translation>
+        <translation>양면: 정위와 반위 읽음값 사이의 빔에 직각인 거리. 길이: 측정된 대로.</translation>
     </message>
     <message>
         <source>reference</source>
-        <translation type="unfinished"></translation>
+        <translation>기준</translation>
     </message>
     <message>
         <source>Calibrated length, of a length test.</source>
-        <translation type="unfinished"></translation>
+        <translation>교정된 길이, 길이 시험의 것.</translation>
     </message>
     <message>
         <source>range</source>
-        <translation type="unfinished"></translation>
+        <translation>거리</translation>
     </message>
     <message>
         <source>Distance of the target, or of the middle of the length, from the tracker.</source>
-        <translation type="unfinished"></translation>
+        <translation>트래커에서 표적까지, 또는 길이의 가운데까지의 거리.</translation>
     </message>
     <message>
         <source>Its horizontal angle; empty: 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>그 수평각. 비어 있으면 0.</translation>
     </message>
     <message>
         <source>Its angle above the horizon; empty: 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>수평면 위로 잰 그 각. 비어 있으면 0.</translation>
     </message>
     <message>
         <source>Standard uncertainty of this test value; empty: that of its kind, as below.</source>
-        <translation type="unfinished"></translation>
+        <translation>이 시험값의 표준불확도. 비어 있으면 아래의 그 종류의 값.</translation>
     </message>
     <message>
         <source>MPE</source>
-        <translation type="unfinished"></translation>
+        <translation>MPE</translation>
     </message>
     <message>
         <source>Limit for this position; empty: it follows from constant and slope, as below.</source>
-        <translation type="unfinished"></translation>
+        <translation>이 위치의 한계. 비어 있으면 아래의 상수와 기울기에서 구합니다.</translation>
     </message>
     <message>
         <source>Limits</source>
-        <translation type="unfinished"></translation>
+        <translation>한계</translation>
     </message>
     <message>
         <source>MPE two-face, constant</source>
-        <translation type="unfinished"></translation>
+        <translation>양면 MPE, 상수</translation>
     </message>
     <message>
         <source>As the maker states it for a two-face test; empty: every two-face test has its own MPE.</source>
-        <translation type="unfinished"></translation>
+        <translation>제조사가 양면 시험에 제시하는 값. 비어 있으면 양면 시험마다 자체 MPE를 갖습니다.</translation>
     </message>
     <message>
         <source>MPE two-face, per metre</source>
-        <translation type="unfinished"></translation>
+        <translation>양면 MPE, 미터당</translation>
     </message>
     <message>
         <source>Times the range of the target.</source>
-        <translation type="unfinished"></translation>
+        <translation>표적의 거리를 곱합니다.</translation>
     </message>
     <message>
         <source>MPE length, constant</source>
-        <translation type="unfinished"></translation>
+        <translation>길이 MPE, 상수</translation>
     </message>
     <message>
         <source>As the maker states it; empty: every length has its own MPE.</source>
-        <translation type="unfinished"></translation>
+        <translation>제조사가 제시하는 값. 비어 있으면 길이마다 자체 MPE를 갖습니다.</translation>
     </message>
     <message>
         <source>MPE length, per metre</source>
-        <translation type="unfinished"></translation>
+        <translation>길이 MPE, 미터당</translation>
     </message>
     <message>
         <source>Times the reference length.</source>
-        <translation type="unfinished"></translation>
+        <translation>기준 길이를 곱합니다.</translation>
     </message>
     <message>
         <source>Uncertainty of the test values</source>
-        <translation type="unfinished"></translation>
+        <translation>시험값의 불확도</translation>
     </message>
     <message>
         <source>u of a two-face value</source>
-        <translation type="unfinished"></translation>
+        <translation>양면 값의 u</translation>
     </message>
     <message>
         <source>Standard uncertainty of what the test adds: seat of the reflector, motion of its mount. Not the scatter of the tracker, which is tested.</source>
-        <translation type="unfinished"></translation>
+        <translation>시험이 더하는 것의 표준불확도: 반사경의 받침, 거치대의 움직임. 시험 대상인 트래커의 산포는 아닙니다.</translation>
     </message>
     <message>
         <source>u of a length</source>
-        <translation type="unfinished"></translation>
+        <translation>길이의 u</translation>
     </message>
     <message>
         <source>Standard uncertainty of what the test adds to each length: calibration, mounting, temperature. Not the scatter of the tracker.</source>
-        <translation type="unfinished"></translation>
+        <translation>시험이 각 길이에 더하는 것의 표준불확도: 교정, 설치, 온도. 트래커의 산포는 아닙니다.</translation>
     </message>
     <message>
         <source>u of the scale of the references</source>
-        <translation type="unfinished"></translation>
+        <translation>기준 척도의 u</translation>
     </message>
     <message>
         <source>A position conforms where this is the probability that its error is within the MPE.</source>
-        <translation type="unfinished"></translation>
+        <translation>오차가 MPE 안에 있을 확률이 이 값이면 위치는 적합합니다.</translation>
     </message>
     <message>
         <source>Accuracy and repeatability of a robot</source>
-        <translation type="unfinished"></translation>
+        <translation>로봇의 정확도와 반복성</translation>
     </message>
     <message>
         <source>AP and RP of ISO 9283 from measured poses, and whether the maker&apos;s figures are met.</source>
-        <translation type="unfinished"></translation>
+        <translation>측정한 포즈에서 구한 ISO 9283의 AP와 RP, 그리고 제조사의 수치를 만족하는지.</translation>
     </message>
     <message>
         <source>Acceptance test of a tracker</source>
-        <translation type="unfinished"></translation>
+        <translation>트래커의 인수 시험</translation>
     </message>
     <message>
         <source>Two-face and length tests against their limits, with the uncertainty of the test.</source>
-        <translation type="unfinished"></translation>
+        <translation>양면 시험과 길이 시험을 한계와 비교, 시험의 불확도 포함.</translation>
     </message>
     <message>
         <source>Robot at five poses, thirty cycles</source>
-        <translation type="unfinished"></translation>
+        <translation>다섯 포즈, 서른 사이클의 로봇</translation>
     </message>
     <message>
         <source>An industrial robot, sent thirty times to each of five poses and measured by a laser tracker: AP and RP after ISO 9283 with what thirty cycles and the tracker leave open of them.</source>
-        <translation type="unfinished"></translation>
+        <translation>산업용 로봇을 다섯 포즈 각각에 서른 번 보내 레이저 트래커로 측정한 것: ISO 9283의 AP와 RP, 그리고 서른 사이클과 트래커가 남기는 불확실한 부분.</translation>
     </message>
     <message>
         <source>From rounds of a total station to a certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>토털 스테이션의 대회에서 성적서까지</translation>
     </message>
     <message>
         <source>Four rounds of a total station say what its readings are worth: a network takes their figures as seen, a pose takes its points from the network, and the certificate states the pose.</source>
-        <translation type="unfinished"></translation>
+        <translation>토털 스테이션의 대회 네 번에서 읽음값의 정도가 드러난다. 망은 그 수치를 드러난 대로 쓰고, 포즈는 점을 망에서 얻으며, 성적서는 포즈를 기재한다.</translation>
     </message>
     <message>
         <source>Acceptance test of a laser tracker</source>
-        <translation type="unfinished"></translation>
+        <translation>레이저 트래커의 인수 시험</translation>
     </message>
     <message>
         <source>A laser tracker, tested with fixed reflectors read in both faces from three distances, and with a reference length of 2.3 m.</source>
-        <translation type="unfinished"></translation>
+        <translation>레이저 트래커를 세 거리에서 정위와 반위로 읽은 고정 반사경과 2.3 m 기준 길이로 시험한 것.</translation>
     </message>
     <message>
         <source>%1 is a temperature in %3, and here it would be taken in kelvin (20 degC as 293.15 K): if it is a difference, give it in %4; for its reading in %3 write (%2 - 0 [%3]). Only the ratio of two temperatures in %3 is taken in kelvin</source>
-        <translation type="unfinished"></translation>
+        <translation>%1은(는) %3 단위의 온도이며 여기서는 켈빈으로 취하게 됩니다(20 degC는 293.15 K). 온도차이면 %4(으)로 주고, %3 단위의 읽음값이면 (%2 - 0 [%3])으로 쓰십시오. %3 단위의 두 온도의 비만 켈빈으로 취합니다</translation>
     </message>
     <message>
         <source>%1 is a multiple of a temperature in %2, which depends on where the scale has its zero: if the temperature is a difference, give it in %3; else multiply its reading, as in 1.5*(t - 0 [%2])</source>
-        <translation type="unfinished"></translation>
+        <translation>%1은(는) %2 단위의 온도의 배수이며, 이는 눈금의 영점이 어디인지에 따라 달라집니다. 온도가 온도차이면 %3(으)로 주고, 아니면 1.5*(t - 0 [%2])처럼 읽음값을 곱하십시오</translation>
     </message>
     <message>
         <source>a part (%, ppm) or multiple of a temperature in %1 depends on where the scale has its zero: give the figure in %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 단위의 온도의 일부(%, ppm)나 배수는 눈금의 영점이 어디인지에 따라 달라집니다. 수치를 %2(으)로 주십시오</translation>
     </message>
     <message>
         <source>a difference: %1 in %2</source>
-        <translation type="unfinished"></translation>
+        <translation>온도차: %1, 단위 %2</translation>
     </message>
     <message>
         <source>column &apos;%1&apos; of &apos;%2&apos; is %3; its unit is missing: write &quot;%4 [%5]&quot;</source>
@@ -16881,711 +16881,711 @@ sample 1; 2; 3 weights 2; 5; 2 (그대로 뽑음), histogram 0; 1; 2 weights 5; 
     </message>
     <message>
         <source>column &apos;%1&apos; of &apos;%2&apos; is a difference of temperatures: give it in %3, not in %4</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%2&apos;의 열 &apos;%1&apos;은(는) 온도차입니다. %4이(가) 아니라 %3(으)로 주십시오</translation>
     </message>
     <message>
         <source>%1 is a difference of temperatures: give it in %2, not in %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1은(는) 온도차입니다. %3이(가) 아니라 %2(으)로 주십시오</translation>
     </message>
     <message>
         <source>The figures of the set-up are too far apart in size for %1: the last digits of the estimates change its sensitivity coefficients by more than a tenth. Give coordinates from a place nearby.</source>
-        <translation type="unfinished"></translation>
+        <translation>설정의 수치들의 크기가 %1에 대해 서로 너무 다릅니다. 추정값의 마지막 자릿수가 감도계수를 십분의 일 넘게 바꿉니다. 가까운 곳에서 잰 좌표를 주십시오.</translation>
     </message>
     <message>
         <source>uncertainties as the residuals see them</source>
-        <translation type="unfinished"></translation>
+        <translation>잔차에서 드러난 불확도</translation>
     </message>
     <message>
         <source>stated figures of instruments</source>
-        <translation type="unfinished"></translation>
+        <translation>제시된 측정기의 수치</translation>
     </message>
     <message>
         <source>%1 does not see these figures, so they stay as stated here: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1에서는 이 수치들이 드러나지 않아 여기에 제시된 대로 둡니다: %2</translation>
     </message>
     <message>
         <source>readings of figures that are seen elsewhere are correlated with others here</source>
-        <translation type="unfinished"></translation>
+        <translation>다른 곳에서 드러난 수치의 읽음값이 여기의 다른 읽음값과 상관됩니다</translation>
     </message>
     <message>
         <source>the readings from %1 agree if the names %2 and %3 are exchanged there</source>
-        <translation type="unfinished"></translation>
+        <translation>거기에서 이름 %2와(과) %3을(를) 맞바꾸면 %1에서 읽은 값이 일치합니다</translation>
     </message>
     <message>
         <source>as seen in %1: %2 times what is stated here</source>
-        <translation type="unfinished"></translation>
+        <translation>%1에서 드러난 대로: 여기에 제시된 값의 %2배</translation>
     </message>
     <message>
         <source>the only direction of its round, whose orientation is not known</source>
-        <translation type="unfinished"></translation>
+        <translation>대회의 유일한 방향이며 그 표정을 알 수 없음</translation>
     </message>
     <message>
         <source>it contradicts the others: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>다른 것들과 모순됨: %1</translation>
     </message>
     <message>
         <source>it contradicts the others: %1; it cannot be told apart from %2</source>
-        <translation type="unfinished"></translation>
+        <translation>다른 것들과 모순됨: %1. %2와(과) 구별할 수 없음</translation>
     </message>
     <message>
         <source>nothing tells them</source>
-        <translation type="unfinished"></translation>
+        <translation>이것들을 알 수 없음</translation>
     </message>
     <message>
         <source>x and y of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 x와 y</translation>
     </message>
     <message>
         <source>the height of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 높이</translation>
     </message>
     <message>
         <source>nothing tells it</source>
-        <translation type="unfinished"></translation>
+        <translation>이것을 알 수 없음</translation>
     </message>
     <message>
         <source>its point %1 is left out</source>
-        <translation type="unfinished"></translation>
+        <translation>그 점 %1을(를) 뺐음</translation>
     </message>
     <message>
         <source>the height of %1 is left out</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 높이를 뺐음</translation>
     </message>
     <message>
         <source>it misses what the others agree on by %1 m, more than %2 m</source>
-        <translation type="unfinished"></translation>
+        <translation>다른 것들이 일치하는 바에서 %1 m 벗어남, %2 m 초과</translation>
     </message>
     <message>
         <source>|w| = %1</source>
-        <translation type="unfinished"></translation>
+        <translation>|w| = %1</translation>
     </message>
     <message>
         <source>%1 times its u in a robust adjustment</source>
-        <translation type="unfinished"></translation>
+        <translation>로버스트 조정에서 그 u의 %1배</translation>
     </message>
     <message>
         <source>by hand</source>
-        <translation type="unfinished"></translation>
+        <translation>수동으로</translation>
     </message>
     <message>
         <source>%1 is left out: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1을(를) 뺐습니다: %2</translation>
     </message>
     <message>
         <source>and %1 more are left out, listed with their reasons</source>
-        <translation type="unfinished"></translation>
+        <translation>그 밖에 %1개를 뺐으며 이유와 함께 나열합니다</translation>
     </message>
     <message>
         <source>zero c and scale m of distances, index i, refraction k</source>
-        <translation type="unfinished"></translation>
+        <translation>거리의 영점 c와 척도 m, 지표 오차 i, 굴절 k</translation>
     </message>
     <message>
         <source>all instruments</source>
-        <translation type="unfinished"></translation>
+        <translation>모든 측정기</translation>
     </message>
     <message>
         <source>the zero of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 영점</translation>
     </message>
     <message>
         <source>the scale of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 척도</translation>
     </message>
     <message>
         <source>the refraction coefficient of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 굴절 계수</translation>
     </message>
     <message>
         <source>the vertical index of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 연직 지표 오차</translation>
     </message>
     <message>
         <source>the collimation of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 시준 오차</translation>
     </message>
     <message>
         <source>%1 is stated twice</source>
-        <translation type="unfinished"></translation>
+        <translation>%1이(가) 두 번 제시되었습니다</translation>
     </message>
     <message>
         <source>%1 needs the radius of the Earth</source>
-        <translation type="unfinished"></translation>
+        <translation>%1에는 지구의 반지름이 필요합니다</translation>
     </message>
     <message>
         <source>there is no reading that %1 would change: readings say their instrument in their column</source>
-        <translation type="unfinished"></translation>
+        <translation>%1이(가) 바꿀 읽음값이 없습니다. 읽음값의 측정기는 그 열에 적습니다</translation>
     </message>
     <message>
         <source>outlier? it cannot be told apart from %1</source>
-        <translation type="unfinished"></translation>
+        <translation>이상값? %1와(과) 구별할 수 없음</translation>
     </message>
     <message>
         <source>Reason</source>
-        <translation type="unfinished"></translation>
+        <translation>이유</translation>
     </message>
     <message>
         <source>the readings cannot tell %1 apart: add readings that see them differently, or state one of them</source>
-        <translation type="unfinished"></translation>
+        <translation>읽음값으로 %1을(를) 구별할 수 없습니다. 이들을 다르게 보는 읽음값을 추가하거나 그중 하나를 제시하십시오</translation>
     </message>
     <message>
         <source>nothing tells %1: add readings that see it, or state it with u</source>
-        <translation type="unfinished"></translation>
+        <translation>%1을(를) 알 수 없습니다. 이를 보는 읽음값을 추가하거나 u와 함께 제시하십시오</translation>
     </message>
     <message>
         <source>%1 readings cannot tell %2 unknowns (coordinates less what the datum takes, orientations, figures of instruments): add %3 readings at least, or state figures with u</source>
-        <translation type="unfinished"></translation>
+        <translation>읽음값 %1개로 미지수 %2개(데이텀이 취하는 것을 뺀 좌표, 표정, 측정기의 수치)를 알 수 없습니다. 읽음값을 %3개 이상 추가하거나 수치를 u와 함께 제시하십시오</translation>
     </message>
     <message>
         <source>instruments</source>
-        <translation type="unfinished"></translation>
+        <translation>측정기</translation>
     </message>
     <message>
         <source>base points, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>기준 점, %1</translation>
     </message>
     <message>
         <source>points of the moving frame, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>이동 좌표계의 점, %1</translation>
     </message>
     <message>
         <source>joint %1, point %2</source>
-        <translation type="unfinished"></translation>
+        <translation>관절 %1, 점 %2</translation>
     </message>
     <message>
         <source>%1, off the plane</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, 평면에서 벗어남</translation>
     </message>
     <message>
         <source>%1, along the radius</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, 반지름 방향</translation>
     </message>
     <message>
         <source>a thermodynamic temperature: %1 in %2</source>
-        <translation type="unfinished"></translation>
+        <translation>열역학 온도: %1, 단위 %2</translation>
     </message>
     <message>
         <source>its reading in %2: %1 - 0 [%2]</source>
-        <translation type="unfinished"></translation>
+        <translation>%2 단위의 그 읽음값: %1 - 0 [%2]</translation>
     </message>
     <message>
         <source>a part of its reading in %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 단위의 그 읽음값의 일부: %2</translation>
     </message>
     <message>
         <source>a temperature: %1 in %2</source>
-        <translation type="unfinished"></translation>
+        <translation>온도: %1, 단위 %2</translation>
     </message>
     <message>
         <source>y of the points</source>
-        <translation type="unfinished"></translation>
+        <translation>점의 y</translation>
     </message>
     <message>
         <source>x of the points</source>
-        <translation type="unfinished"></translation>
+        <translation>점의 x</translation>
     </message>
     <message>
         <source>the distance in row %1 is too long</source>
-        <translation type="unfinished"></translation>
+        <translation>%1행의 거리가 너무 깁니다</translation>
     </message>
     <message>
         <source>%1 distances between %2 pillars are more than a baseline has: at most %3 between %4</source>
-        <translation type="unfinished"></translation>
+        <translation>기둥 %2개 사이의 거리 %1개는 기선이 가질 수 있는 것보다 많습니다. %4개 사이에는 최대 %3개입니다</translation>
     </message>
     <message>
         <source>%1 cycles</source>
-        <translation type="unfinished"></translation>
+        <translation>사이클 %1회</translation>
     </message>
     <message>
         <source>few cycles</source>
-        <translation type="unfinished"></translation>
+        <translation>적은 사이클</translation>
     </message>
     <message>
         <source>%1 cycles, normal scatter of the shape seen</source>
-        <translation type="unfinished"></translation>
+        <translation>사이클 %1회, 드러난 모양의 정규 산포</translation>
     </message>
     <message>
         <source>barycentre of %1, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 무게중심, %2</translation>
     </message>
     <message>
         <source>scatter of the cycles</source>
-        <translation type="unfinished"></translation>
+        <translation>사이클의 산포</translation>
     </message>
     <message>
         <source>repeatability of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 반복성</translation>
     </message>
     <message>
         <source>mean deviation of angle %1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%2의 각 %1의 평균 편차</translation>
     </message>
     <message>
         <source>repeatability of angle %1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%2의 각 %1의 반복성</translation>
     </message>
     <message>
         <source>instrument and base of the robot</source>
-        <translation type="unfinished"></translation>
+        <translation>측정기와 로봇의 베이스</translation>
     </message>
     <message>
         <source>error of the measured place of %1, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 측정된 위치의 오차, %2</translation>
     </message>
     <message>
         <source>mean distance %1</source>
-        <translation type="unfinished"></translation>
+        <translation>평균 거리 %1</translation>
     </message>
     <message>
         <source>repeatability of distance %1</source>
-        <translation type="unfinished"></translation>
+        <translation>거리 %1의 반복성</translation>
     </message>
     <message>
         <source>repeatability of the instrument alone</source>
-        <translation type="unfinished"></translation>
+        <translation>측정기만의 반복성</translation>
     </message>
     <message>
         <source>ISO 9283, accuracy of a pose</source>
-        <translation type="unfinished"></translation>
+        <translation>ISO 9283, 포즈의 정확도</translation>
     </message>
     <message>
         <source>ISO 9283, repeatability; c = RP(∞)/RP(n) by simulated campaigns</source>
-        <translation type="unfinished"></translation>
+        <translation>ISO 9283, 반복성. c = RP(∞)/RP(n), 모의 측정에 의함</translation>
     </message>
     <message>
         <source>without the instrument, where both scatter in one shape</source>
-        <translation type="unfinished"></translation>
+        <translation>측정기를 뺀 것, 둘이 같은 모양으로 흩어질 때</translation>
     </message>
     <message>
         <source>of several directions of approach</source>
-        <translation type="unfinished"></translation>
+        <translation>여러 접근 방향의 것</translation>
     </message>
     <message>
         <source>distances between poses</source>
-        <translation type="unfinished"></translation>
+        <translation>포즈 사이의 거리</translation>
     </message>
     <message>
         <source>drift</source>
-        <translation type="unfinished"></translation>
+        <translation>드리프트</translation>
     </message>
     <message>
         <source>accuracy of the pose</source>
-        <translation type="unfinished"></translation>
+        <translation>포즈의 정확도</translation>
     </message>
     <message>
         <source>repeatability of the pose</source>
-        <translation type="unfinished"></translation>
+        <translation>포즈의 반복성</translation>
     </message>
     <message>
         <source>repeatability of the robot alone</source>
-        <translation type="unfinished"></translation>
+        <translation>로봇만의 반복성</translation>
     </message>
     <message>
         <source>share of the instrument in RP²</source>
-        <translation type="unfinished"></translation>
+        <translation>RP²에서 측정기의 비율</translation>
     </message>
     <message>
         <source>accuracy of angle %1</source>
-        <translation type="unfinished"></translation>
+        <translation>각 %1의 정확도</translation>
     </message>
     <message>
         <source>repeatability of angle %1, ±</source>
-        <translation type="unfinished"></translation>
+        <translation>각 %1의 반복성, ±</translation>
     </message>
     <message>
         <source>variation of the accuracy over the directions of approach</source>
-        <translation type="unfinished"></translation>
+        <translation>접근 방향에 따른 정확도의 변동</translation>
     </message>
     <message>
         <source>drift of the accuracy</source>
-        <translation type="unfinished"></translation>
+        <translation>정확도의 드리프트</translation>
     </message>
     <message>
         <source>drift of the repeatability</source>
-        <translation type="unfinished"></translation>
+        <translation>반복성의 드리프트</translation>
     </message>
     <message>
         <source>accuracy of the distance</source>
-        <translation type="unfinished"></translation>
+        <translation>거리의 정확도</translation>
     </message>
     <message>
         <source>repeatability of the distance, ±</source>
-        <translation type="unfinished"></translation>
+        <translation>거리의 반복성, ±</translation>
     </message>
     <message>
         <source>the instrument alone scatters as much as what it measured at %1: nothing is left that could be called the robot&apos;s</source>
-        <translation type="unfinished"></translation>
+        <translation>%1에서 측정기만으로도 측정한 것만큼 흩어집니다. 로봇의 것이라 할 만한 것이 남지 않습니다</translation>
     </message>
     <message>
         <source>two series are called &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>두 계열의 이름이 &apos;%1&apos;입니다</translation>
     </message>
     <message>
         <source>there is no commanded pose &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>지령 포즈 &apos;%1&apos;이(가) 없습니다</translation>
     </message>
     <message>
         <source>%1 has fewer than three cycles</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 사이클이 셋보다 적습니다</translation>
     </message>
     <message>
         <source>row %1 has angles, though its pose is commanded without them</source>
-        <translation type="unfinished"></translation>
+        <translation>%1행에는 각이 있지만 그 포즈는 각 없이 지령되었습니다</translation>
     </message>
     <message>
         <source>row %1 has no angles, though its pose is commanded with them</source>
-        <translation type="unfinished"></translation>
+        <translation>%1행에는 각이 없지만 그 포즈는 각과 함께 지령되었습니다</translation>
     </message>
     <message>
         <source>the coordinates at %1 are too large</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 좌표가 너무 큽니다</translation>
     </message>
     <message>
         <source>pose &apos;%1&apos; is commanded twice</source>
-        <translation type="unfinished"></translation>
+        <translation>포즈 &apos;%1&apos;이(가) 두 번 지령되었습니다</translation>
     </message>
     <message>
         <source>pose &apos;%1&apos; is commanded with some angles and without others</source>
-        <translation type="unfinished"></translation>
+        <translation>포즈 &apos;%1&apos;이(가) 일부 각은 있고 나머지 각은 없이 지령되었습니다</translation>
     </message>
     <message>
         <source>some poses are commanded with all angles and others are not</source>
-        <translation type="unfinished"></translation>
+        <translation>모든 각과 함께 지령된 포즈와 그렇지 않은 포즈가 있습니다</translation>
     </message>
     <message>
         <source>no cycles were measured at pose &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>포즈 &apos;%1&apos;에서 측정한 사이클이 없습니다</translation>
     </message>
     <message>
         <source>a distance from pose &apos;%1&apos; to itself</source>
-        <translation type="unfinished"></translation>
+        <translation>포즈 &apos;%1&apos;에서 자신까지의 거리</translation>
     </message>
     <message>
         <source>the distance from &apos;%1&apos; to &apos;%2&apos; is there twice</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos;에서 &apos;%2&apos;까지의 거리가 두 번 있습니다</translation>
     </message>
     <message>
         <source>poses &apos;%1&apos; and &apos;%2&apos; have different numbers of cycles</source>
-        <translation type="unfinished"></translation>
+        <translation>포즈 &apos;%1&apos;와(과) &apos;%2&apos;의 사이클 수가 다릅니다</translation>
     </message>
     <message>
         <source>the coordinates of the fixed target in row %1 are too large</source>
-        <translation type="unfinished"></translation>
+        <translation>%1행의 고정 표적 좌표가 너무 큽니다</translation>
     </message>
     <message>
         <source>U of the instrument and the largest ratio go together: enter both, or neither</source>
-        <translation type="unfinished"></translation>
+        <translation>측정기의 U와 최대 비는 함께 써야 합니다. 둘 다 입력하거나 둘 다 비우십시오</translation>
     </message>
     <message>
         <source>AP by scatter alone</source>
-        <translation type="unfinished"></translation>
+        <translation>산포만의 AP</translation>
     </message>
     <message>
         <source>RP, few cycles allowed for</source>
-        <translation type="unfinished"></translation>
+        <translation>RP, 적은 사이클 고려</translation>
     </message>
     <message>
         <source>u of it</source>
-        <translation type="unfinished"></translation>
+        <translation>그 u</translation>
     </message>
     <message>
         <source>Where AP is not twice what the scatter of the cycles alone makes of it, it says little about the robot.</source>
-        <translation type="unfinished"></translation>
+        <translation>사이클의 산포만으로 생기는 AP의 두 배가 되지 않는 AP는 로봇에 대해 알려 주는 것이 거의 없습니다.</translation>
     </message>
     <message>
         <source>largest s of an axis</source>
-        <translation type="unfinished"></translation>
+        <translation>축의 최대 s</translation>
     </message>
     <message>
         <source>middle</source>
-        <translation type="unfinished"></translation>
+        <translation>중간</translation>
     </message>
     <message>
         <source>smallest</source>
-        <translation type="unfinished"></translation>
+        <translation>최소</translation>
     </message>
     <message>
         <source>mean RP over that of many cycles</source>
-        <translation type="unfinished"></translation>
+        <translation>평균 RP ÷ 많은 사이클의 RP</translation>
     </message>
     <message>
         <source>relative u of RP</source>
-        <translation type="unfinished"></translation>
+        <translation>RP의 상대 u</translation>
     </message>
     <message>
         <source>conforms</source>
-        <translation type="unfinished"></translation>
+        <translation>적합</translation>
     </message>
     <message>
         <source>does not conform</source>
-        <translation type="unfinished"></translation>
+        <translation>부적합</translation>
     </message>
     <message>
         <source>not decided</source>
-        <translation type="unfinished"></translation>
+        <translation>미판정</translation>
     </message>
     <message>
         <source>rated</source>
-        <translation type="unfinished"></translation>
+        <translation>정격</translation>
     </message>
     <message>
         <source>probability of conformity</source>
-        <translation type="unfinished"></translation>
+        <translation>적합 확률</translation>
     </message>
     <message>
         <source>risk that it is wrong</source>
-        <translation type="unfinished"></translation>
+        <translation>판정이 틀릴 위험</translation>
     </message>
     <message>
         <source>cycles that would decide</source>
-        <translation type="unfinished"></translation>
+        <translation>판정에 필요한 사이클</translation>
     </message>
     <message>
         <source>AP of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 AP</translation>
     </message>
     <message>
         <source>RP of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 RP</translation>
     </message>
     <message>
         <source>U of the instrument over AP of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>측정기의 U ÷ %1의 AP</translation>
     </message>
     <message>
         <source>U of the instrument over RP of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>측정기의 U ÷ %1의 RP</translation>
     </message>
     <message>
         <source>poses</source>
-        <translation type="unfinished"></translation>
+        <translation>포즈</translation>
     </message>
     <message>
         <source>mean AP</source>
-        <translation type="unfinished"></translation>
+        <translation>평균 AP</translation>
     </message>
     <message>
         <source>largest AP</source>
-        <translation type="unfinished"></translation>
+        <translation>최대 AP</translation>
     </message>
     <message>
         <source>quantile of AP for the probability of a decision</source>
-        <translation type="unfinished"></translation>
+        <translation>판정의 확률에 대한 AP의 분위수</translation>
     </message>
     <message>
         <source>%1 poses are too few to bound this quantile: the largest of %2 poses does, with the same probability.</source>
-        <translation type="unfinished"></translation>
+        <translation>포즈 %1개로는 이 분위수의 상한을 정할 수 없습니다. 포즈 %2개의 최댓값이면 같은 확률로 상한이 됩니다.</translation>
     </message>
     <message>
         <source>two-face: distance of both readings across the beam</source>
-        <translation type="unfinished"></translation>
+        <translation>양면: 두 읽음값의 빔에 직각인 거리</translation>
     </message>
     <message>
         <source>length; a: scale of the references</source>
-        <translation type="unfinished"></translation>
+        <translation>길이. a: 기준의 척도</translation>
     </message>
     <message>
         <source>decision, ISO 14253-1</source>
-        <translation type="unfinished"></translation>
+        <translation>판정, ISO 14253-1</translation>
     </message>
     <message>
         <source>scale of the reference lengths</source>
-        <translation type="unfinished"></translation>
+        <translation>기준 길이의 척도</translation>
     </message>
     <message>
         <source>uncertainty of the test</source>
-        <translation type="unfinished"></translation>
+        <translation>시험의 불확도</translation>
     </message>
     <message>
         <source>uncertainty of the test values</source>
-        <translation type="unfinished"></translation>
+        <translation>시험값의 불확도</translation>
     </message>
     <message>
         <source>measured length at position %1</source>
-        <translation type="unfinished"></translation>
+        <translation>위치 %1에서 측정한 길이</translation>
     </message>
     <message>
         <source>distance of both faces at position %1</source>
-        <translation type="unfinished"></translation>
+        <translation>위치 %1에서 정위와 반위의 거리</translation>
     </message>
     <message>
         <source>error at position %1</source>
-        <translation type="unfinished"></translation>
+        <translation>위치 %1의 오차</translation>
     </message>
     <message>
         <source>there are two tests of position &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>위치 &apos;%1&apos;의 시험이 둘 있습니다</translation>
     </message>
     <message>
         <source>the length at position &apos;%1&apos; has no reference</source>
-        <translation type="unfinished"></translation>
+        <translation>위치 &apos;%1&apos;의 길이에 기준이 없습니다</translation>
     </message>
     <message>
         <source>the two-face test of position &apos;%1&apos; has a reference length</source>
-        <translation type="unfinished"></translation>
+        <translation>위치 &apos;%1&apos;의 양면 시험에 기준 길이가 있습니다</translation>
     </message>
     <message>
         <source>nothing says the MPE of position &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>위치 &apos;%1&apos;의 MPE를 알려 주는 것이 없습니다</translation>
     </message>
     <message>
         <source>The tracker conforms at every position.</source>
-        <translation type="unfinished"></translation>
+        <translation>트래커는 모든 위치에서 적합합니다.</translation>
     </message>
     <message>
         <source>The tracker does not conform.</source>
-        <translation type="unfinished"></translation>
+        <translation>트래커는 부적합합니다.</translation>
     </message>
     <message>
         <source>Some positions are not decided: the test is not good enough to tell.</source>
-        <translation type="unfinished"></translation>
+        <translation>일부 위치는 판정되지 않았습니다. 시험이 이를 가릴 만큼 좋지 않습니다.</translation>
     </message>
     <message>
         <source>distance %1</source>
-        <translation type="unfinished"></translation>
+        <translation>거리 %1</translation>
     </message>
     <message>
         <source>pose %1</source>
-        <translation type="unfinished"></translation>
+        <translation>포즈 %1</translation>
     </message>
     <message>
         <source>directions of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 방향</translation>
     </message>
     <message>
         <source>drift of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 드리프트</translation>
     </message>
     <message>
         <source>base of the robot</source>
-        <translation type="unfinished"></translation>
+        <translation>로봇의 베이스</translation>
     </message>
     <message>
         <source>references</source>
-        <translation type="unfinished"></translation>
+        <translation>기준 길이</translation>
     </message>
     <message>
         <source>tracker</source>
-        <translation type="unfinished"></translation>
+        <translation>트래커</translation>
     </message>
     <message>
         <source>&apos;%1&apos; in row %2 of %3 must be %4, not %5: %6</source>
-        <translation type="unfinished"></translation>
+        <translation>%3의 %2행에 있는 &apos;%1&apos;은(는) %5이(가) 아니라 %4여야 합니다: %6</translation>
     </message>
     <message>
         <source>%1 must be a number, not %2: %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1은(는) %2이(가) 아니라 수여야 합니다: %3</translation>
     </message>
     <message>
         <source>%1 must be true or false, not %2: %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1은(는) %2이(가) 아니라 true 또는 false여야 합니다: %3</translation>
     </message>
     <message>
         <source>a difference of temperatures is given in %1</source>
-        <translation type="unfinished"></translation>
+        <translation>온도차는 %1(으)로 줍니다</translation>
     </message>
     <message>
         <source>write true or false, without quotes</source>
-        <translation type="unfinished"></translation>
+        <translation>따옴표 없이 true 또는 false를 쓰십시오</translation>
     </message>
     <message>
         <source>write a text in quotes</source>
-        <translation type="unfinished"></translation>
+        <translation>따옴표 안의 텍스트를 쓰십시오</translation>
     </message>
     <message>
         <source>write it in quotes: &quot;%1&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>따옴표 안에 쓰십시오: &quot;%1&quot;</translation>
     </message>
     <message>
         <source>write a number without quotes, such as 0.25, or null where there is none</source>
-        <translation type="unfinished"></translation>
+        <translation>0.25처럼 따옴표 없이 수를 쓰고, 수가 없으면 null을 쓰십시오</translation>
     </message>
     <message>
         <source>write %1, without quotes</source>
-        <translation type="unfinished"></translation>
+        <translation>따옴표 없이 %1을(를) 쓰십시오</translation>
     </message>
     <message>
         <source>write a number in %1, the unit of the column, without quotes</source>
-        <translation type="unfinished"></translation>
+        <translation>열의 단위인 %1 단위의 수를 따옴표 없이 쓰십시오</translation>
     </message>
     <message>
         <source>write %1, without quotes: the unit of the column is %2</source>
-        <translation type="unfinished"></translation>
+        <translation>따옴표 없이 %1을(를) 쓰십시오. 열의 단위는 %2입니다</translation>
     </message>
     <message>
         <source>write %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1을(를) 쓰십시오</translation>
     </message>
     <message>
         <source>observations that miss what the others agree on by more than %1 m, and points that nothing tells, are left out, as Gama does</source>
-        <translation type="unfinished"></translation>
+        <translation>Gama처럼, 다른 것들이 일치하는 바에서 %1 m 넘게 벗어나는 관측값과 알 수 없는 점을 뺍니다</translation>
     </message>
     <message>
         <source>the file asks for standard deviations a posteriori: for these choose uncertainties as seen, one factor s_0</source>
-        <translation type="unfinished"></translation>
+        <translation>파일은 사후 표준편차를 요구합니다. 이를 위해서는 불확도를 “드러난 대로, 인자 s_0 하나”로 고르십시오</translation>
     </message>
     <message>
         <source>%1: readings are not reduced to an ellipsoid</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: 읽음값을 타원체로 환산하지 않습니다</translation>
     </message>
     <message>
         <source>update-constrained-coordinates: the datum keeps the coordinates of the file</source>
-        <translation type="unfinished"></translation>
+        <translation>update-constrained-coordinates: 데이텀은 파일의 좌표를 유지합니다</translation>
     </message>
     <message>
         <source>Accuracy and repeatability, from the cycles as they are</source>
-        <translation type="unfinished"></translation>
+        <translation>사이클 그대로에서 구한 정확도와 반복성</translation>
     </message>
     <message>
         <source>cycles</source>
-        <translation type="unfinished"></translation>
+        <translation>사이클</translation>
     </message>
     <message>
         <source>What few cycles do to RP</source>
-        <translation type="unfinished"></translation>
+        <translation>적은 사이클이 RP에 미치는 영향</translation>
     </message>
     <message>
         <source>Conformity with the maker&apos;s figures</source>
-        <translation type="unfinished"></translation>
+        <translation>제조사 수치에 대한 적합성</translation>
     </message>
     <message>
         <source>decision</source>
-        <translation type="unfinished"></translation>
+        <translation>판정</translation>
     </message>
     <message>
         <source>Is the instrument good enough</source>
-        <translation type="unfinished"></translation>
+        <translation>측정기는 충분히 좋은가</translation>
     </message>
     <message>
         <source>AP over the poses</source>
-        <translation type="unfinished"></translation>
+        <translation>포즈들의 AP</translation>
     </message>
     <message>
         <source>Accuracy and repeatability of the poses</source>
-        <translation type="unfinished"></translation>
+        <translation>포즈의 정확도와 반복성</translation>
     </message>
     <message>
         <source>AP, RP</source>
-        <translation type="unfinished"></translation>
+        <translation>AP, RP</translation>
     </message>
     <message>
         <source>AP</source>
-        <translation type="unfinished"></translation>
+        <translation>AP</translation>
     </message>
     <message>
         <source>RP</source>
-        <translation type="unfinished"></translation>
+        <translation>RP</translation>
     </message>
     <message>
         <source>rated AP</source>
-        <translation type="unfinished"></translation>
+        <translation>정격 AP</translation>
     </message>
     <message>
         <source>rated RP</source>
-        <translation type="unfinished"></translation>
+        <translation>정격 RP</translation>
     </message>
     <message>
         <source>Decisions after ISO 14253-1</source>
-        <translation type="unfinished"></translation>
+        <translation>ISO 14253-1에 따른 판정</translation>
     </message>
 </context>
 <context>
@@ -17741,14 +17741,6 @@ sample 1; 2; 3 weights 2; 5; 2 (그대로 뽑음), histogram 0; 1; 2 weights 5; 
     <message>
         <source>stated as</source>
         <translation>제시 형식</translation>
-    </message>
-    <message>
-        <source>distribution</source>
-        <translation>분포</translation>
-    </message>
-    <message>
-        <source>That Monte Carlo draws</source>
-        <translation>몬테카를로가 추출하는 분포</translation>
     </message>
     <message>
         <source>type</source>
@@ -18098,18 +18090,26 @@ sample 1; 2; 3 weights 2; 5; 2 (그대로 뽑음), histogram 0; 1; 2 weights 5; 
     </message>
     <message>
         <source>Kept projects</source>
-        <translation type="unfinished"></translation>
+        <translation>보관된 프로젝트</translation>
     </message>
     <message>
         <source>Recover</source>
-        <translation type="unfinished"></translation>
+        <translation>복구</translation>
     </message>
     <message>
         <source>Later</source>
-        <translation type="unfinished"></translation>
+        <translation>나중에</translation>
     </message>
     <message>
         <source>Discard</source>
+        <translation>버리기</translation>
+    </message>
+    <message>
+        <source>distr.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distribution that Monte Carlo draws</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -18279,7 +18279,7 @@ sample 1; 2; 3 weights 2; 5; 2 (그대로 뽑음), histogram 0; 1; 2 weights 5; 
     </message>
     <message>
         <source>Show the Field</source>
-        <translation type="unfinished"></translation>
+        <translation>필드 보기</translation>
     </message>
 </context>
 <context>
@@ -18433,7 +18433,7 @@ sample 1; 2; 3 weights 2; 5; 2 (그대로 뽑음), histogram 0; 1; 2 weights 5; 
     </message>
     <message>
         <source>%1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 / %2</translation>
     </message>
 </context>
 <context>
@@ -20147,11 +20147,11 @@ It says “not stated” in these places. They are fields of the project&apos;s 
     <name>covaria::ui::InspectorHead</name>
     <message>
         <source>Entry before</source>
-        <translation type="unfinished"></translation>
+        <translation>이전 항목</translation>
     </message>
     <message>
         <source>Entry after</source>
-        <translation type="unfinished"></translation>
+        <translation>다음 항목</translation>
     </message>
     <message>
         <source>Properties</source>
@@ -20159,7 +20159,7 @@ It says “not stated” in these places. They are fields of the project&apos;s 
     </message>
     <message>
         <source>Project and documents</source>
-        <translation type="unfinished"></translation>
+        <translation>프로젝트와 문서</translation>
     </message>
 </context>
 <context>
@@ -21584,15 +21584,15 @@ It is used by: %1. They will have an error until they use something else.</sourc
     </message>
     <message>
         <source>%1 s left</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 s 남음</translation>
     </message>
     <message>
         <source>%1 min left</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 min 남음</translation>
     </message>
     <message>
         <source>%1 h left</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 h 남음</translation>
     </message>
 </context>
 <context>
@@ -22189,7 +22189,7 @@ It is used by: %1. They will have an error until they use something else.</sourc
     </message>
     <message>
         <source>Show All %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1개 모두 표시</translation>
     </message>
 </context>
 <context>

@@ -15182,1699 +15182,1699 @@ nu 18 atrás de qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>Geometry from points</source>
-        <translation type="unfinished"></translation>
+        <translation>Geometria a partir de pontos</translation>
     </message>
     <message>
         <source>Lines, planes, circles, spheres, cylinders and cones through measured points by orthogonal least squares: place, direction, diameter and form deviation with the full covariance of the points.</source>
-        <translation type="unfinished"></translation>
+        <translation>Retas, planos, círculos, esferas, cilindros e cones por pontos medidos, por mínimos quadrados ortogonais: lugar, direção, diâmetro e desvio de forma com a covariância completa dos pontos.</translation>
     </message>
     <message>
         <source>Points weigh alike, whatever their uncertainty, as in least-squares features of coordinate measurement; their covariance goes into the uncertainty of the results.</source>
-        <translation type="unfinished"></translation>
+        <translation>Os pontos pesam igualmente, qualquer que seja sua incerteza, como nos elementos por mínimos quadrados da medição por coordenadas; sua covariância entra na incerteza dos resultados.</translation>
     </message>
     <message>
         <source>A circle in space is fitted in two steps, as NIST&apos;s: the plane by all points, then the circle by the points projected onto it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Um círculo no espaço é ajustado em dois passos, como o do NIST: o plano por todos os pontos, depois o círculo pelos pontos projetados nele.</translation>
     </message>
     <message>
         <source>The direction has its largest component positive; that of a cone leads from the apex into it. &quot;Reversed&quot; turns it. Trials keep the sign of the estimates.</source>
-        <translation type="unfinished"></translation>
+        <translation>A direção tem positiva sua maior componente; a de um cone vai do vértice para dentro dele. &quot;Invertida&quot; a inverte. Os ensaios mantêm o sinal das estimativas.</translation>
     </message>
     <message>
         <source>The place of a plane or line is the mean of the points; of a cylinder or cone it is the point of the axis next to that mean, so the uncertainty along the axis is that of the mean.</source>
-        <translation type="unfinished"></translation>
+        <translation>O lugar de um plano ou de uma reta é a média dos pontos; o de um cilindro ou cone é o ponto do eixo mais próximo dessa média, de modo que a incerteza ao longo do eixo é a da média.</translation>
     </message>
     <message>
         <source>Every trial of a Monte Carlo run fits its points anew. Form deviations of trials are larger than that of the points as measured, for uncertainty adds to what is form.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cada ensaio de uma execução de Monte Carlo ajusta seus pontos de novo. Os desvios de forma dos ensaios são maiores que o dos pontos como medidos, pois a incerteza se soma ao que é forma.</translation>
     </message>
     <message>
         <source>Features</source>
-        <translation type="unfinished"></translation>
+        <translation>Elementos</translation>
     </message>
     <message>
         <source>Forms that are fitted to points by orthogonal least squares.</source>
-        <translation type="unfinished"></translation>
+        <translation>Formas que são ajustadas a pontos por mínimos quadrados ortogonais.</translation>
     </message>
     <message>
         <source>Name of the feature, unique.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nome do elemento, único.</translation>
     </message>
     <message>
         <source>form</source>
-        <translation type="unfinished"></translation>
+        <translation>forma</translation>
     </message>
     <message>
         <source>What is fitted to its points. In the xy-plane z does not matter.</source>
-        <translation type="unfinished"></translation>
+        <translation>O que é ajustado a seus pontos. No plano xy, z não importa.</translation>
     </message>
     <message>
         <source>line</source>
-        <translation type="unfinished"></translation>
+        <translation>reta</translation>
     </message>
     <message>
         <source>circle</source>
-        <translation type="unfinished"></translation>
+        <translation>círculo</translation>
     </message>
     <message>
         <source>sphere</source>
-        <translation type="unfinished"></translation>
+        <translation>esfera</translation>
     </message>
     <message>
         <source>cylinder</source>
-        <translation type="unfinished"></translation>
+        <translation>cilindro</translation>
     </message>
     <message>
         <source>cone</source>
-        <translation type="unfinished"></translation>
+        <translation>cone</translation>
     </message>
     <message>
         <source>line in the xy-plane</source>
-        <translation type="unfinished"></translation>
+        <translation>reta no plano xy</translation>
     </message>
     <message>
         <source>circle in the xy-plane</source>
-        <translation type="unfinished"></translation>
+        <translation>círculo no plano xy</translation>
     </message>
     <message>
         <source>reversed</source>
-        <translation type="unfinished"></translation>
+        <translation>invertida</translation>
     </message>
     <message>
         <source>The direction is stated with the other sign: the largest component of the direction is negative, that of a cone leads to its apex.</source>
-        <translation type="unfinished"></translation>
+        <translation>A direção é declarada com o outro sinal: a maior componente da direção é negativa, a de um cone vai para seu vértice.</translation>
     </message>
     <message>
         <source>Form deviations</source>
-        <translation type="unfinished"></translation>
+        <translation>Desvios de forma</translation>
     </message>
     <message>
         <source>Peak to valley and root mean square of the points&apos; deviations from their feature are results too.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pico a vale e média quadrática dos desvios dos pontos em relação a seu elemento também são resultados.</translation>
     </message>
     <message>
         <source>Measured points of the features, typed, pasted or from a CSV file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pontos medidos dos elementos, digitados, colados ou de um arquivo CSV.</translation>
     </message>
     <message>
         <source>feature</source>
-        <translation type="unfinished"></translation>
+        <translation>elemento</translation>
     </message>
     <message>
         <source>The feature that it is a point of; empty: that of the row above, of the first row the first.</source>
-        <translation type="unfinished"></translation>
+        <translation>O elemento a que pertence o ponto; vazio: o da linha acima, e da primeira linha o primeiro.</translation>
     </message>
     <message>
         <source>Name of the point, unique in its feature; empty: its number. Of points that an analysis measured the name there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nome do ponto, único em seu elemento; vazio: seu número. De pontos que uma análise mediu, o nome que têm lá.</translation>
     </message>
     <message>
         <source>Measured coordinate x; empty where the point is a feature of an analysis, and z in the xy-plane.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada x medida; vazia onde o ponto é um elemento de uma análise, e z no plano xy.</translation>
     </message>
     <message>
         <source>Measured coordinate y; empty where the point is a feature of an analysis, and z in the xy-plane.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada y medida; vazia onde o ponto é um elemento de uma análise, e z no plano xy.</translation>
     </message>
     <message>
         <source>Measured coordinate z; empty where the point is a feature of an analysis, and z in the xy-plane.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada z medida; vazia onde o ponto é um elemento de uma análise, e z no plano xy.</translation>
     </message>
     <message>
         <source>Standard uncertainty of coordinate x of this point; empty: as for all points.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incerteza-padrão da coordenada x deste ponto; vazio: como para todos os pontos.</translation>
     </message>
     <message>
         <source>Standard uncertainty of coordinate y of this point; empty: as for all points.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incerteza-padrão da coordenada y deste ponto; vazio: como para todos os pontos.</translation>
     </message>
     <message>
         <source>Standard uncertainty of coordinate z of this point; empty: as for all points.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incerteza-padrão da coordenada z deste ponto; vazio: como para todos os pontos.</translation>
     </message>
     <message>
         <source>Correlation coefficient of the point&apos;s own x and y.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coeficiente de correlação de x e y próprias do ponto.</translation>
     </message>
     <message>
         <source>Correlation coefficient of the point&apos;s own x and z.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coeficiente de correlação de x e z próprias do ponto.</translation>
     </message>
     <message>
         <source>Correlation coefficient of the point&apos;s own y and z.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coeficiente de correlação de y e z próprias do ponto.</translation>
     </message>
     <message>
         <source>Typed, from the scatter of the points about their feature, or of what measured them: an instrument of the project, or an analysis whose results are points.</source>
-        <translation type="unfinished"></translation>
+        <translation>Digitada, da dispersão dos pontos em torno de seu elemento, ou do que os mediu: um instrumento do projeto, ou uma análise cujos resultados são pontos.</translation>
     </message>
     <message>
         <source>from the scatter about the feature</source>
-        <translation type="unfinished"></translation>
+        <translation>da dispersão em torno do elemento</translation>
     </message>
     <message>
         <source>an instrument or an analysis</source>
-        <translation type="unfinished"></translation>
+        <translation>um instrumento ou uma análise</translation>
     </message>
     <message>
         <source>Of every coordinate of every point that states none, independent of all others.</source>
-        <translation type="unfinished"></translation>
+        <translation>De cada coordenada de cada ponto que não declara nenhuma, independente de todas as outras.</translation>
     </message>
     <message>
         <source>Standard uncertainty of a deviation along x that all points share beside their own: where the instrument stands.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incerteza-padrão de um desvio ao longo de x que todos os pontos compartilham além do seu próprio: onde está o instrumento.</translation>
     </message>
     <message>
         <source>Standard uncertainty of a deviation along y that all points share beside their own: where the instrument stands.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incerteza-padrão de um desvio ao longo de y que todos os pontos compartilham além do seu próprio: onde está o instrumento.</translation>
     </message>
     <message>
         <source>Common u of z</source>
-        <translation type="unfinished"></translation>
+        <translation>u comum de z</translation>
     </message>
     <message>
         <source>Standard uncertainty of a deviation along z that all points share beside their own: where the instrument stands.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incerteza-padrão de um desvio ao longo de z que todos os pontos compartilham além do seu próprio: onde está o instrumento.</translation>
     </message>
     <message>
         <source>Measured by</source>
-        <translation type="unfinished"></translation>
+        <translation>Medidos por</translation>
     </message>
     <message>
         <source>An instrument that stands somewhere, whose scale and station are alike for all points; or an analysis, whose points are known by their names and are evaluated with this one in every trial.</source>
-        <translation type="unfinished"></translation>
+        <translation>Um instrumento que está em algum lugar, cuja escala e estação são iguais para todos os pontos; ou uma análise, cujos pontos são conhecidos por seus nomes e são avaliados com esta em cada ensaio.</translation>
     </message>
     <message>
         <source>Relation of features</source>
-        <translation type="unfinished"></translation>
+        <translation>Relação de elementos</translation>
     </message>
     <message>
         <source>Distances, angles, intersections and frames of features and points that other analyses measured, or that are typed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Distâncias, ângulos, interseções e referenciais de elementos e pontos que outras análises mediram, ou que são digitados.</translation>
     </message>
     <message>
         <source>Features are evaluated with the relations as one model in every trial: what two features have in common, as the station of their instrument, cancels where it cancels.</source>
-        <translation type="unfinished"></translation>
+        <translation>Os elementos são avaliados com as relações como um só modelo em cada ensaio: o que dois elementos têm em comum, como a estação de seu instrumento, cancela-se onde se cancela.</translation>
     </message>
     <message>
         <source>A direction is that of the feature, with its sign: of a plane the normal. The angle of a line and a plane is 90° less the angle of their directions.</source>
-        <translation type="unfinished"></translation>
+        <translation>Uma direção é a do elemento, com seu sinal: de um plano, a normal. O ângulo de uma reta e um plano é 90° menos o ângulo de suas direções.</translation>
     </message>
     <message>
         <source>The angle of nearly parallel directions is never negative, so its estimate is too large where its uncertainty is not small; tilts have signs and no such bias.</source>
-        <translation type="unfinished"></translation>
+        <translation>O ângulo de direções quase paralelas nunca é negativo, portanto sua estimativa é grande demais onde sua incerteza não é pequena; inclinações têm sinal e não têm essa tendência.</translation>
     </message>
     <message>
         <source>A frame&apos;s angles are those of Z-Y-X: R = Rz(γ) Ry(β) Rx(α).</source>
-        <translation type="unfinished"></translation>
+        <translation>Os ângulos de um referencial são os de Z-Y-X: R = Rz(γ) Ry(β) Rx(α).</translation>
     </message>
     <message>
         <source>Results of analyses (features, targets, frames&apos; origins), or typed ones, such as the direction of gravity.</source>
-        <translation type="unfinished"></translation>
+        <translation>Resultados de análises (elementos, alvos, origens de referenciais), ou digitados, como a direção da gravidade.</translation>
     </message>
     <message>
         <source>Name of the feature here, unique.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nome do elemento aqui, único.</translation>
     </message>
     <message>
         <source>The analysis whose result it is; empty: place and direction are typed.</source>
-        <translation type="unfinished"></translation>
+        <translation>A análise da qual é resultado; vazio: lugar e direção são digitados.</translation>
     </message>
     <message>
         <source>Its name in that analysis: a feature, a target, &quot;apex of C1&quot;; empty: the name here.</source>
-        <translation type="unfinished"></translation>
+        <translation>Seu nome nessa análise: um elemento, um alvo, &quot;apex of C1&quot;; vazio: o nome daqui.</translation>
     </message>
     <message>
         <source>Typed coordinate x; empty: 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada x digitada; vazio: 0.</translation>
     </message>
     <message>
         <source>Typed coordinate y; empty: 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada y digitada; vazio: 0.</translation>
     </message>
     <message>
         <source>Typed coordinate z; empty: 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada z digitada; vazio: 0.</translation>
     </message>
     <message>
         <source>Typed direction, component x, of any length; empty: it has none.</source>
-        <translation type="unfinished"></translation>
+        <translation>Direção digitada, componente x, de qualquer comprimento; vazio: não tem nenhuma.</translation>
     </message>
     <message>
         <source>Typed direction, component y, of any length; empty: it has none.</source>
-        <translation type="unfinished"></translation>
+        <translation>Direção digitada, componente y, de qualquer comprimento; vazio: não tem nenhuma.</translation>
     </message>
     <message>
         <source>Typed direction, component z, of any length; empty: it has none.</source>
-        <translation type="unfinished"></translation>
+        <translation>Direção digitada, componente z, de qualquer comprimento; vazio: não tem nenhuma.</translation>
     </message>
     <message>
         <source>Standard uncertainty of each typed coordinate; empty: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incerteza-padrão de cada coordenada digitada; vazio: nenhuma.</translation>
     </message>
     <message>
         <source>Standard uncertainty of the typed direction, of two tilts across it; empty: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incerteza-padrão da direção digitada, de duas inclinações transversais a ela; vazio: nenhuma.</translation>
     </message>
     <message>
         <source>Relations</source>
-        <translation type="unfinished"></translation>
+        <translation>Relações</translation>
     </message>
     <message>
         <source>Distances, angles, intersections and frames of the features.</source>
-        <translation type="unfinished"></translation>
+        <translation>Distâncias, ângulos, interseções e referenciais dos elementos.</translation>
     </message>
     <message>
         <source>Name of the result, unique.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nome do resultado, único.</translation>
     </message>
     <message>
         <source>relation</source>
-        <translation type="unfinished"></translation>
+        <translation>relação</translation>
     </message>
     <message>
         <source>What is wanted of the features.</source>
-        <translation type="unfinished"></translation>
+        <translation>O que se quer dos elementos.</translation>
     </message>
     <message>
         <source>distance of two places</source>
-        <translation type="unfinished"></translation>
+        <translation>distância de dois lugares</translation>
     </message>
     <message>
         <source>distance of a place from a plane</source>
-        <translation type="unfinished"></translation>
+        <translation>distância de um lugar a um plano</translation>
     </message>
     <message>
         <source>distance of a place from a line</source>
-        <translation type="unfinished"></translation>
+        <translation>distância de um lugar a uma reta</translation>
     </message>
     <message>
         <source>distance of two lines</source>
-        <translation type="unfinished"></translation>
+        <translation>distância de duas retas</translation>
     </message>
     <message>
         <source>angle of two directions</source>
-        <translation type="unfinished"></translation>
+        <translation>ângulo de duas direções</translation>
     </message>
     <message>
         <source>tilts of a direction against another</source>
-        <translation type="unfinished"></translation>
+        <translation>inclinações de uma direção em relação a outra</translation>
     </message>
     <message>
         <source>middle of two places</source>
-        <translation type="unfinished"></translation>
+        <translation>ponto médio de dois lugares</translation>
     </message>
     <message>
         <source>foot of a place on a plane</source>
-        <translation type="unfinished"></translation>
+        <translation>pé de um lugar em um plano</translation>
     </message>
     <message>
         <source>foot of a place on a line</source>
-        <translation type="unfinished"></translation>
+        <translation>pé de um lugar em uma reta</translation>
     </message>
     <message>
         <source>intersection of a line and a plane</source>
-        <translation type="unfinished"></translation>
+        <translation>interseção de uma reta e um plano</translation>
     </message>
     <message>
         <source>intersection of two lines</source>
-        <translation type="unfinished"></translation>
+        <translation>interseção de duas retas</translation>
     </message>
     <message>
         <source>intersection of three planes</source>
-        <translation type="unfinished"></translation>
+        <translation>interseção de três planos</translation>
     </message>
     <message>
         <source>line of two planes</source>
-        <translation type="unfinished"></translation>
+        <translation>reta de dois planos</translation>
     </message>
     <message>
         <source>frame: origin, z, x</source>
-        <translation type="unfinished"></translation>
+        <translation>referencial: origem, z, x</translation>
     </message>
     <message>
         <source>frame: origin on a plane, its normal z, x</source>
-        <translation type="unfinished"></translation>
+        <translation>referencial: origem em um plano, sua normal z, x</translation>
     </message>
     <message>
         <source>A feature: the place, line or plane that is asked about; of a frame its origin.</source>
-        <translation type="unfinished"></translation>
+        <translation>Um elemento: o lugar, a reta ou o plano de que se pergunta; de um referencial, sua origem.</translation>
     </message>
     <message>
         <source>Another one: what it is related to; of a frame the direction of z.</source>
-        <translation type="unfinished"></translation>
+        <translation>Outro: aquilo com que se relaciona; de um referencial, a direção de z.</translation>
     </message>
     <message>
         <source>third</source>
-        <translation type="unfinished"></translation>
+        <translation>terceiro</translation>
     </message>
     <message>
         <source>A third one: the third plane; of a frame and of tilts what x points to, along its direction if it has one, else towards its place.</source>
-        <translation type="unfinished"></translation>
+        <translation>Um terceiro: o terceiro plano; de um referencial e de inclinações, para onde x aponta: ao longo de sua direção se a tiver, senão para seu lugar.</translation>
     </message>
     <message>
         <source>Distance meter on a baseline</source>
-        <translation type="unfinished"></translation>
+        <translation>Distanciômetro em uma linha de base</translation>
     </message>
     <message>
         <source>Zero offset and standard deviation of a distance meter from distances between all pairs of pillars on a line, with their uncertainties, and the statistical tests of ISO 17123-4; its scale, where lengths of the baseline are known.</source>
-        <translation type="unfinished"></translation>
+        <translation>Desvio de zero e desvio-padrão de um distanciômetro por distâncias entre todos os pares de pilares em uma reta, com suas incertezas, e os testes estatísticos da ISO 17123-4; sua escala, onde se conhecem comprimentos da linha de base.</translation>
     </message>
     <message>
         <source>All pairs of n pillars, read once each: the cofactor of the zero offset is 6/((n − 1)(n − 2)) whatever the lengths, and there are n (n − 1)/2 − n degrees of freedom.</source>
-        <translation type="unfinished"></translation>
+        <translation>Todos os pares de n pilares, lidos uma vez cada: o cofator do desvio de zero é 6/((n − 1)(n − 2)), quaisquer que sejam os comprimentos, e há n (n − 1)/2 − n graus de liberdade.</translation>
     </message>
     <message>
         <source>Limits of the tests are quantiles of chi-squared, F and t for the degrees of freedom that the readings have, not figures of a table.</source>
-        <translation type="unfinished"></translation>
+        <translation>Os limites dos testes são quantis de qui-quadrado, F e t para os graus de liberdade que as leituras têm, não números de uma tabela.</translation>
     </message>
     <message>
         <source>Any set of readings that tells the unknowns is adjusted, also one with pairs left out or repeated; readings that repeat without the instrument set up anew agree better than the instrument does.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ajusta-se qualquer conjunto de leituras que determine as incógnitas, também um com pares omitidos ou repetidos; leituras repetidas sem estacionar o instrumento de novo concordam melhor do que o próprio instrumento.</translation>
     </message>
     <message>
         <source>Distances count with equal weights.</source>
-        <translation type="unfinished"></translation>
+        <translation>As distâncias contam com pesos iguais.</translation>
     </message>
     <message>
         <source>Distances between pillars that stand on a line, best of all pairs, each with the instrument set up anew.</source>
-        <translation type="unfinished"></translation>
+        <translation>Distâncias entre pilares que estão em uma reta, de preferência de todos os pares, cada uma com o instrumento estacionado de novo.</translation>
     </message>
     <message>
         <source>Pillar of the instrument.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pilar do instrumento.</translation>
     </message>
     <message>
         <source>Pillar of the reflector.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pilar do refletor.</translation>
     </message>
     <message>
         <source>As read, with the correction for the atmosphere and without one for the zero.</source>
-        <translation type="unfinished"></translation>
+        <translation>Como lida, com a correção da atmosfera e sem correção do zero.</translation>
     </message>
     <message>
         <source>Of the reflector above the instrument, where the distance is a slope distance; empty: it is horizontal.</source>
-        <translation type="unfinished"></translation>
+        <translation>Do refletor acima do instrumento, onde a distância é inclinada; vazio: é horizontal.</translation>
     </message>
     <message>
         <source>Tests</source>
-        <translation type="unfinished"></translation>
+        <translation>Testes</translation>
     </message>
     <message>
         <source>σ, stated or wanted</source>
-        <translation type="unfinished"></translation>
+        <translation>σ, declarado ou desejado</translation>
     </message>
     <message>
         <source>Standard deviation of one distance that test a holds s against: of the maker, or what a job needs. Empty: no test a.</source>
-        <translation type="unfinished"></translation>
+        <translation>Desvio-padrão de uma distância com que o teste a confronta s: do fabricante, ou aquele de que um trabalho precisa. Vazio: sem teste a.</translation>
     </message>
     <message>
         <source>s of another campaign</source>
-        <translation type="unfinished"></translation>
+        <translation>s de outra campanha</translation>
     </message>
     <message>
         <source>Experimental standard deviation that test b compares s with: of another instrument or day. Empty: no test b.</source>
-        <translation type="unfinished"></translation>
+        <translation>Desvio-padrão experimental com que o teste b compara s: de outro instrumento ou dia. Vazio: sem teste b.</translation>
     </message>
     <message>
         <source>Its degrees of freedom</source>
-        <translation type="unfinished"></translation>
+        <translation>Seus graus de liberdade</translation>
     </message>
     <message>
         <source>Of the s of the other campaign: 14 for all pairs of seven pillars.</source>
-        <translation type="unfinished"></translation>
+        <translation>Do s da outra campanha: 14 para todos os pares de sete pilares.</translation>
     </message>
     <message>
         <source>Probability of the tests</source>
-        <translation type="unfinished"></translation>
+        <translation>Probabilidade dos testes</translation>
     </message>
     <message>
         <source>1 − α: an instrument that is as good as stated passes a test with this probability.</source>
-        <translation type="unfinished"></translation>
+        <translation>1 − α: um instrumento tão bom quanto declarado passa em um teste com esta probabilidade.</translation>
     </message>
     <message>
         <source>Scale</source>
-        <translation type="unfinished"></translation>
+        <translation>Escala</translation>
     </message>
     <message>
         <source>Scale correction</source>
-        <translation type="unfinished"></translation>
+        <translation>Correção de escala</translation>
     </message>
     <message>
         <source>Readings alone say nothing of it: it needs lengths of the baseline that are known better.</source>
-        <translation type="unfinished"></translation>
+        <translation>As leituras sozinhas nada dizem dela: ela precisa de comprimentos da linha de base que sejam mais bem conhecidos.</translation>
     </message>
     <message>
         <source>not asked for</source>
-        <translation type="unfinished"></translation>
+        <translation>não pedida</translation>
     </message>
     <message>
         <source>by reference lengths</source>
-        <translation type="unfinished"></translation>
+        <translation>por comprimentos de referência</translation>
     </message>
     <message>
         <source>Reference lengths</source>
-        <translation type="unfinished"></translation>
+        <translation>Comprimentos de referência</translation>
     </message>
     <message>
         <source>Horizontal lengths from the pillar where the line begins, of a certificate.</source>
-        <translation type="unfinished"></translation>
+        <translation>Comprimentos horizontais desde o pilar onde a linha começa, de um certificado.</translation>
     </message>
     <message>
         <source>pillar</source>
-        <translation type="unfinished"></translation>
+        <translation>pilar</translation>
     </message>
     <message>
         <source>As in the readings.</source>
-        <translation type="unfinished"></translation>
+        <translation>Como nas leituras.</translation>
     </message>
     <message>
         <source>From the pillar where the line begins.</source>
-        <translation type="unfinished"></translation>
+        <translation>Desde o pilar onde a linha começa.</translation>
     </message>
     <message>
         <source>Standard uncertainty of this length alone, beside what all share; empty: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incerteza-padrão só deste comprimento, além do que todos compartilham; vazio: nenhuma.</translation>
     </message>
     <message>
         <source>u of the baseline&apos;s scale</source>
-        <translation type="unfinished"></translation>
+        <translation>u da escala da linha de base</translation>
     </message>
     <message>
         <source>Relative standard uncertainty that all reference lengths share.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incerteza-padrão relativa que todos os comprimentos de referência compartilham.</translation>
     </message>
     <message>
         <source>u of the correction for the atmosphere</source>
-        <translation type="unfinished"></translation>
+        <translation>u da correção da atmosfera</translation>
     </message>
     <message>
         <source>Relative standard uncertainty that all readings share: 1 °C or 3.5 hPa are about 1 ppm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incerteza-padrão relativa que todas as leituras compartilham: 1 °C ou 3,5 hPa são cerca de 1 ppm.</translation>
     </message>
     <message>
         <source>Planes, circles, axes and balls through measured points, with form deviations.</source>
-        <translation type="unfinished"></translation>
+        <translation>Planos, círculos, eixos e esferas por pontos medidos, com desvios de forma.</translation>
     </message>
     <message>
         <source>Frame, distances and angles of features</source>
-        <translation type="unfinished"></translation>
+        <translation>Referencial, distâncias e ângulos de elementos</translation>
     </message>
     <message>
         <source>A frame as shops make it of a face, a bore and a hole, and where other features are from it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Um referencial como a oficina o constrói de uma face, um furo central e um furo, e onde outros elementos estão em relação a ele.</translation>
     </message>
     <message>
         <source>Zero offset and standard deviation of a distance meter, with the tests of ISO 17123-4.</source>
-        <translation type="unfinished"></translation>
+        <translation>Desvio de zero e desvio-padrão de um distanciômetro, com os testes da ISO 17123-4.</translation>
     </message>
     <message>
         <source>Total station on a baseline of seven pillars</source>
-        <translation type="unfinished"></translation>
+        <translation>Estação total em uma linha de base de sete pilares</translation>
     </message>
     <message>
         <source>The distance meter of a total station, tested after ISO 17123-4 with distances between all pairs of seven pillars.</source>
-        <translation type="unfinished"></translation>
+        <translation>O distanciômetro de uma estação total, testado segundo a ISO 17123-4 com distâncias entre todos os pares de sete pilares.</translation>
     </message>
     <message>
         <source>Flange and tool of a robot, from measured points</source>
-        <translation type="unfinished"></translation>
+        <translation>Flange e ferramenta de um robô, por pontos medidos</translation>
     </message>
     <message>
         <source>A laser tracker probed the flange of a robot: its face, its bore, a dowel hole, the shank of a tool and the ball at its tip.</source>
-        <translation type="unfinished"></translation>
+        <translation>Um laser tracker apalpou o flange de um robô: sua face, seu furo central, um furo de pino-guia, a haste de uma ferramenta e a esfera em sua ponta.</translation>
     </message>
     <message>
         <source>Form deviations of a turned part</source>
-        <translation type="unfinished"></translation>
+        <translation>Desvios de forma de uma peça torneada</translation>
     </message>
     <message>
         <source>A coordinate measuring machine probed a seat, a taper, a face and a groove.</source>
-        <translation type="unfinished"></translation>
+        <translation>Uma máquina de medição por coordenadas apalpou um assento, um cone, uma face e um canal.</translation>
     </message>
     <message>
         <source>%1, point %2, coordinate %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, ponto %2, coordenada %3</translation>
     </message>
     <message>
         <source>common deviation of all points along %1</source>
-        <translation type="unfinished"></translation>
+        <translation>desvio comum de todos os pontos ao longo de %1</translation>
     </message>
     <message>
         <source>scatter of the points of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>dispersão dos pontos de %1</translation>
     </message>
     <message>
         <source>residuals of %1 points about %2</source>
-        <translation type="unfinished"></translation>
+        <translation>resíduos de %1 pontos em torno de %2</translation>
     </message>
     <message>
         <source>an instrument measures points in space; &apos;%1&apos; lies in the xy-plane: state the uncertainty of its points</source>
-        <translation type="unfinished"></translation>
+        <translation>um instrumento mede pontos no espaço; &apos;%1&apos; está no plano xy: declare a incerteza de seus pontos</translation>
     </message>
     <message>
         <source>orthogonal distances of the points from the feature</source>
-        <translation type="unfinished"></translation>
+        <translation>distâncias ortogonais dos pontos ao elemento</translation>
     </message>
     <message>
         <source>circle in its plane, cylinder</source>
-        <translation type="unfinished"></translation>
+        <translation>círculo em seu plano, cilindro</translation>
     </message>
     <message>
         <source>cone, half angle φ</source>
-        <translation type="unfinished"></translation>
+        <translation>cone, semiângulo φ</translation>
     </message>
     <message>
         <source>form deviations of m points</source>
-        <translation type="unfinished"></translation>
+        <translation>desvios de forma de m pontos</translation>
     </message>
     <message>
         <source>two features are called &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>dois elementos chamam-se &apos;%1&apos;</translation>
     </message>
     <message>
         <source>%1 has no feature called &apos;%2&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 não tem elemento chamado &apos;%2&apos;</translation>
     </message>
     <message>
         <source>%1 has no value</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 não tem valor</translation>
     </message>
     <message>
         <source>the direction of &apos;%1&apos; is zero</source>
-        <translation type="unfinished"></translation>
+        <translation>a direção de &apos;%1&apos; é zero</translation>
     </message>
     <message>
         <source>typed coordinate</source>
-        <translation type="unfinished"></translation>
+        <translation>coordenada digitada</translation>
     </message>
     <message>
         <source>tilt of the typed direction</source>
-        <translation type="unfinished"></translation>
+        <translation>inclinação da direção digitada</translation>
     </message>
     <message>
         <source>%1, direction along %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, direção ao longo de %2</translation>
     </message>
     <message>
         <source>two relations are called &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>duas relações chamam-se &apos;%1&apos;</translation>
     </message>
     <message>
         <source>&apos;%1&apos; takes two features; leave the third empty</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; toma dois elementos; deixe vazio o terceiro</translation>
     </message>
     <message>
         <source>&apos;%1&apos; needs three features</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; precisa de três elementos</translation>
     </message>
     <message>
         <source>there is no feature &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>não há elemento &apos;%1&apos;</translation>
     </message>
     <message>
         <source>&apos;%1&apos; has no direction, which &apos;%2&apos; needs</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; não tem direção, da qual &apos;%2&apos; precisa</translation>
     </message>
     <message>
         <source>%1, distance</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, distância</translation>
     </message>
     <message>
         <source>%1, angle</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, ângulo</translation>
     </message>
     <message>
         <source>%1, tilt towards x</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, inclinação para x</translation>
     </message>
     <message>
         <source>%1, tilt towards y</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, inclinação para y</translation>
     </message>
     <message>
         <source>%1, rotation about %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, rotação em torno de %2</translation>
     </message>
     <message>
         <source>the two places are the same</source>
-        <translation type="unfinished"></translation>
+        <translation>os dois lugares coincidem</translation>
     </message>
     <message>
         <source>the place is on the line</source>
-        <translation type="unfinished"></translation>
+        <translation>o lugar está na reta</translation>
     </message>
     <message>
         <source>the two are parallel</source>
-        <translation type="unfinished"></translation>
+        <translation>os dois são paralelos</translation>
     </message>
     <message>
         <source>the directions are parallel: ask for tilts, which have a sign</source>
-        <translation type="unfinished"></translation>
+        <translation>as direções são paralelas: peça inclinações, que têm sinal</translation>
     </message>
     <message>
         <source>the line is parallel to the plane</source>
-        <translation type="unfinished"></translation>
+        <translation>a reta é paralela ao plano</translation>
     </message>
     <message>
         <source>the three planes have no common point</source>
-        <translation type="unfinished"></translation>
+        <translation>os três planos não têm ponto comum</translation>
     </message>
     <message>
         <source>x and z are parallel</source>
-        <translation type="unfinished"></translation>
+        <translation>x e z são paralelos</translation>
     </message>
     <message>
         <source>&apos;%1&apos;: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos;: %2</translation>
     </message>
     <message>
         <source>elementary geometry; p places, n unit directions of the first, second, third</source>
-        <translation type="unfinished"></translation>
+        <translation>geometria elementar; p lugares, n direções unitárias do primeiro, segundo, terceiro</translation>
     </message>
     <message>
         <source>from a plane; from a line the length across n₂</source>
-        <translation type="unfinished"></translation>
+        <translation>a um plano; a uma reta, o comprimento transversal a n₂</translation>
     </message>
     <message>
         <source>between lines</source>
-        <translation type="unfinished"></translation>
+        <translation>entre retas</translation>
     </message>
     <message>
         <source>tilts, z = n₂</source>
-        <translation type="unfinished"></translation>
+        <translation>inclinações, z = n₂</translation>
     </message>
     <message>
         <source>frames, v of the third</source>
-        <translation type="unfinished"></translation>
+        <translation>referenciais, v do terceiro</translation>
     </message>
     <message>
         <source>centre of %1, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>centro de %1, %2</translation>
     </message>
     <message>
         <source>point on the axis of %1, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>ponto no eixo de %1, %2</translation>
     </message>
     <message>
         <source>place of %1, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>lugar de %1, %2</translation>
     </message>
     <message>
         <source>point on %1, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>ponto em %1, %2</translation>
     </message>
     <message>
         <source>normal of %1, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>normal de %1, %2</translation>
     </message>
     <message>
         <source>direction of the axis of %1, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>direção do eixo de %1, %2</translation>
     </message>
     <message>
         <source>direction of %1, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>direção de %1, %2</translation>
     </message>
     <message>
         <source>flatness deviation of %1, peak to valley</source>
-        <translation type="unfinished"></translation>
+        <translation>desvio de planeza de %1, pico a vale</translation>
     </message>
     <message>
         <source>straightness deviation of %1, peak to valley</source>
-        <translation type="unfinished"></translation>
+        <translation>desvio de retitude de %1, pico a vale</translation>
     </message>
     <message>
         <source>roundness deviation of %1, peak to valley</source>
-        <translation type="unfinished"></translation>
+        <translation>desvio de circularidade de %1, pico a vale</translation>
     </message>
     <message>
         <source>cylindricity deviation of %1, peak to valley</source>
-        <translation type="unfinished"></translation>
+        <translation>desvio de cilindricidade de %1, pico a vale</translation>
     </message>
     <message>
         <source>form deviation of %1, peak to valley</source>
-        <translation type="unfinished"></translation>
+        <translation>desvio de forma de %1, pico a vale</translation>
     </message>
     <message>
         <source>diameter of %1 at its point</source>
-        <translation type="unfinished"></translation>
+        <translation>diâmetro de %1 em seu ponto</translation>
     </message>
     <message>
         <source>diameter of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>diâmetro de %1</translation>
     </message>
     <message>
         <source>angle of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>ângulo de %1</translation>
     </message>
     <message>
         <source>form deviation of %1, root mean square</source>
-        <translation type="unfinished"></translation>
+        <translation>desvio de forma de %1, média quadrática</translation>
     </message>
     <message>
         <source>apex of %1, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>vértice de %1, %2</translation>
     </message>
     <message>
         <source>two points of &apos;%1&apos; are called &apos;%2&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>dois pontos de &apos;%1&apos; chamam-se &apos;%2&apos;</translation>
     </message>
     <message>
         <source>%1 has no point called &apos;%2&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 não tem ponto chamado &apos;%2&apos;</translation>
     </message>
     <message>
         <source>point &apos;%1&apos; has no coordinate %2</source>
-        <translation type="unfinished"></translation>
+        <translation>o ponto &apos;%1&apos; não tem a coordenada %2</translation>
     </message>
     <message>
         <source>&apos;%1&apos; has %2 points; a %3 needs %4 or more</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; tem %2 pontos; a forma %3 precisa de %4 ou mais</translation>
     </message>
     <message>
         <source>the %1 points of &apos;%2&apos; do not scatter: with so few the form goes through all of them; add points, or state their uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>os %1 pontos de &apos;%2&apos; não têm dispersão: com tão poucos a forma passa por todos eles; acrescente pontos, ou declare sua incerteza</translation>
     </message>
     <message>
         <source>the points of &apos;%1&apos;: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>os pontos de &apos;%1&apos;: %2</translation>
     </message>
     <message>
         <source>the points of &apos;%1&apos; lie exactly on it: their scatter says nothing of their uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>os pontos de &apos;%1&apos; estão exatamente sobre ele: sua dispersão nada diz de sua incerteza</translation>
     </message>
     <message>
         <source>they are so nearly flat or straight that they determine no radius</source>
-        <translation type="unfinished"></translation>
+        <translation>estão tão perto de um plano ou de uma reta que não determinam raio</translation>
     </message>
     <message>
         <source>no %1 that fits them was found</source>
-        <translation type="unfinished"></translation>
+        <translation>não se encontrou forma (%1) que se ajuste a eles</translation>
     </message>
     <message>
         <source>all of them are the same</source>
-        <translation type="unfinished"></translation>
+        <translation>todos coincidem</translation>
     </message>
     <message>
         <source>they are too far from each other</source>
-        <translation type="unfinished"></translation>
+        <translation>estão afastados demais uns dos outros</translation>
     </message>
     <message>
         <source>they lie on a straight line</source>
-        <translation type="unfinished"></translation>
+        <translation>estão em uma reta</translation>
     </message>
     <message>
         <source>they lie on a plane</source>
-        <translation type="unfinished"></translation>
+        <translation>estão em um plano</translation>
     </message>
     <message>
         <source>How well the points determine the features</source>
-        <translation type="unfinished"></translation>
+        <translation>Quão bem os pontos determinam os elementos</translation>
     </message>
     <message>
         <source>at a standard deviation of 1 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>com um desvio-padrão de 1 mm</translation>
     </message>
     <message>
         <source>at the scatter of the points</source>
-        <translation type="unfinished"></translation>
+        <translation>com a dispersão dos pontos</translation>
     </message>
     <message>
         <source>Standard uncertainties that independent deviations of all coordinates alike would give, first with a standard deviation of 1 mm: they depend on where the points are alone. Places and tilts are along the directions in which they are largest and smallest.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertezas-padrão que desvios independentes e iguais de todas as coordenadas dariam, primeiro com um desvio-padrão de 1 mm: dependem só de onde os pontos estão. Lugares e inclinações são ao longo das direções em que são maiores e menores.</translation>
     </message>
     <message>
         <source>place across the axis</source>
-        <translation type="unfinished"></translation>
+        <translation>lugar transversal ao eixo</translation>
     </message>
     <message>
         <source>place</source>
-        <translation type="unfinished"></translation>
+        <translation>lugar</translation>
     </message>
     <message>
         <source>offset across the line</source>
-        <translation type="unfinished"></translation>
+        <translation>deslocamento transversal</translation>
     </message>
     <message>
         <source>offset along the normal</source>
-        <translation type="unfinished"></translation>
+        <translation>deslocamento ao longo da normal</translation>
     </message>
     <message>
         <source>diameter</source>
-        <translation type="unfinished"></translation>
+        <translation>diâmetro</translation>
     </message>
     <message>
         <source>angle of the cone</source>
-        <translation type="unfinished"></translation>
+        <translation>ângulo do cone</translation>
     </message>
     <message>
         <source>correlation of diameter and centre along the middle of the arc</source>
-        <translation type="unfinished"></translation>
+        <translation>correlação de diâmetro e centro ao longo do meio do arco</translation>
     </message>
     <message>
         <source>angle to both sides of that middle within which the points are</source>
-        <translation type="unfinished"></translation>
+        <translation>ângulo para ambos os lados desse meio dentro do qual estão os pontos</translation>
     </message>
     <message>
         <source>Features and the scatter of their points</source>
-        <translation type="unfinished"></translation>
+        <translation>Elementos e dispersão de seus pontos</translation>
     </message>
     <message>
         <source>largest deviation</source>
-        <translation type="unfinished"></translation>
+        <translation>maior desvio</translation>
     </message>
     <message>
         <source>s is the root of the sum of squares of the deviations over the degrees of freedom.</source>
-        <translation type="unfinished"></translation>
+        <translation>s é a raiz da soma dos quadrados dos desvios dividida pelos graus de liberdade.</translation>
     </message>
     <message>
         <source>Deviations of the points from their features</source>
-        <translation type="unfinished"></translation>
+        <translation>Desvios dos pontos em relação a seus elementos</translation>
     </message>
     <message>
         <source>above the plane of the circle</source>
-        <translation type="unfinished"></translation>
+        <translation>acima do plano do círculo</translation>
     </message>
     <message>
         <source>Positive outside of a circle, sphere, cylinder or cone and on the side of a plane to which its normal points; of a line in space the distance.</source>
-        <translation type="unfinished"></translation>
+        <translation>Positivo fora de um círculo, esfera, cilindro ou cone e no lado de um plano para o qual sua normal aponta; de uma reta no espaço, a distância.</translation>
     </message>
     <message>
         <source>the points of &apos;%1&apos; are within %2° of the middle of their arc: its diameter has %3 times the standard uncertainty of a coordinate and correlates with the place of the centre by %4</source>
-        <translation type="unfinished"></translation>
+        <translation>os pontos de &apos;%1&apos; estão a menos de %2° do meio de seu arco: seu diâmetro tem %3 vezes a incerteza-padrão de uma coordenada e correlaciona-se com o lugar do centro por %4</translation>
     </message>
     <message>
         <source>apex of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>vértice de %1</translation>
     </message>
     <message>
         <source>all pairs of pillars, ISO 17123-4</source>
-        <translation type="unfinished"></translation>
+        <translation>todos os pares de pilares, ISO 17123-4</translation>
     </message>
     <message>
         <source>N distances between n pillars; JCGM 100 H.3.2</source>
-        <translation type="unfinished"></translation>
+        <translation>N distâncias entre n pilares; JCGM 100 H.3.2</translation>
     </message>
     <message>
         <source>JCGM 100 E.4.3</source>
-        <translation type="unfinished"></translation>
+        <translation>JCGM 100 E.4.3</translation>
     </message>
     <message>
         <source>scale, by the reference lengths L_j</source>
-        <translation type="unfinished"></translation>
+        <translation>escala, pelos comprimentos de referência L_j</translation>
     </message>
     <message>
         <source>scatter of the distances</source>
-        <translation type="unfinished"></translation>
+        <translation>dispersão das distâncias</translation>
     </message>
     <message>
         <source>least squares, residuals of %1 distances</source>
-        <translation type="unfinished"></translation>
+        <translation>mínimos quadrados, resíduos de %1 distâncias</translation>
     </message>
     <message>
         <source>zero offset</source>
-        <translation type="unfinished"></translation>
+        <translation>desvio de zero</translation>
     </message>
     <message>
         <source>place of pillar %1</source>
-        <translation type="unfinished"></translation>
+        <translation>lugar do pilar %1</translation>
     </message>
     <message>
         <source>standard deviation of one distance</source>
-        <translation type="unfinished"></translation>
+        <translation>desvio-padrão de uma distância</translation>
     </message>
     <message>
         <source>few degrees of freedom of s</source>
-        <translation type="unfinished"></translation>
+        <translation>poucos graus de liberdade de s</translation>
     </message>
     <message>
         <source>reference lengths and their conditions</source>
-        <translation type="unfinished"></translation>
+        <translation>comprimentos de referência e suas condições</translation>
     </message>
     <message>
         <source>scale of the readings by the atmosphere</source>
-        <translation type="unfinished"></translation>
+        <translation>escala das leituras pela atmosfera</translation>
     </message>
     <message>
         <source>correction for the atmosphere</source>
-        <translation type="unfinished"></translation>
+        <translation>correção da atmosfera</translation>
     </message>
     <message>
         <source>scale of the baseline</source>
-        <translation type="unfinished"></translation>
+        <translation>escala da linha de base</translation>
     </message>
     <message>
         <source>reference length of pillar %1</source>
-        <translation type="unfinished"></translation>
+        <translation>comprimento de referência do pilar %1</translation>
     </message>
     <message>
         <source>reference length</source>
-        <translation type="unfinished"></translation>
+        <translation>comprimento de referência</translation>
     </message>
     <message>
         <source>zero offset, added to a reading</source>
-        <translation type="unfinished"></translation>
+        <translation>desvio de zero, somado a uma leitura</translation>
     </message>
     <message>
         <source>scale correction, times a reading</source>
-        <translation type="unfinished"></translation>
+        <translation>correção de escala, vezes uma leitura</translation>
     </message>
     <message>
         <source>the readings do not tell the zero offset from the lengths: some line of three pillars must be read whole and in parts</source>
-        <translation type="unfinished"></translation>
+        <translation>as leituras não distinguem o desvio de zero dos comprimentos: alguma reta de três pilares deve ser lida inteira e em partes</translation>
     </message>
     <message>
         <source>a distance from pillar &apos;%1&apos; to itself</source>
-        <translation type="unfinished"></translation>
+        <translation>uma distância do pilar &apos;%1&apos; a si mesmo</translation>
     </message>
     <message>
         <source>the height difference in row %1 is not shorter than the slope distance</source>
-        <translation type="unfinished"></translation>
+        <translation>o desnível da linha %1 não é menor que a distância inclinada</translation>
     </message>
     <message>
         <source>a zero offset needs distances between three pillars or more</source>
-        <translation type="unfinished"></translation>
+        <translation>um desvio de zero precisa de distâncias entre três pilares ou mais</translation>
     </message>
     <message>
         <source>%1 distances for %2 lengths and the zero offset leave nothing that would tell the scatter: read more pairs of pillars</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 distâncias para %2 comprimentos e o desvio de zero nada deixam que revele a dispersão: leia mais pares de pilares</translation>
     </message>
     <message>
         <source>the distances do not connect all pillars</source>
-        <translation type="unfinished"></translation>
+        <translation>as distâncias não ligam todos os pilares</translation>
     </message>
     <message>
         <source>pillar &apos;%1&apos; has two reference lengths</source>
-        <translation type="unfinished"></translation>
+        <translation>o pilar &apos;%1&apos; tem dois comprimentos de referência</translation>
     </message>
     <message>
         <source>no reading is to or from pillar &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>nenhuma leitura é do pilar &apos;%1&apos; ou para ele</translation>
     </message>
     <message>
         <source>reference lengths begin at pillar &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>os comprimentos de referência começam no pilar &apos;%1&apos;</translation>
     </message>
     <message>
         <source>a: s is not larger than the stated σ</source>
-        <translation type="unfinished"></translation>
+        <translation>a: s não é maior que o σ declarado</translation>
     </message>
     <message>
         <source>b: s and the s of the other campaign are of one σ, s²/s²</source>
-        <translation type="unfinished"></translation>
+        <translation>b: s e o s da outra campanha são de um mesmo σ, s²/s²</translation>
     </message>
     <message>
         <source>c: the zero offset is not different from zero</source>
-        <translation type="unfinished"></translation>
+        <translation>c: o desvio de zero não é diferente de zero</translation>
     </message>
     <message>
         <source>A zero offset is seen: add it to readings, or enter it in the instrument.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vê-se um desvio de zero: some-o às leituras, ou insira-o no instrumento.</translation>
     </message>
     <message>
         <source>pillars</source>
-        <translation type="unfinished"></translation>
+        <translation>pilares</translation>
     </message>
     <message>
         <source>s of one distance</source>
-        <translation type="unfinished"></translation>
+        <translation>s de uma distância</translation>
     </message>
     <message>
         <source>standard uncertainty of s</source>
-        <translation type="unfinished"></translation>
+        <translation>incerteza-padrão de s</translation>
     </message>
     <message>
         <source>standard uncertainty of the zero offset</source>
-        <translation type="unfinished"></translation>
+        <translation>incerteza-padrão do desvio de zero</translation>
     </message>
     <message>
         <source>cofactor of the zero offset</source>
-        <translation type="unfinished"></translation>
+        <translation>cofator do desvio de zero</translation>
     </message>
     <message>
         <source>residual over its s</source>
-        <translation type="unfinished"></translation>
+        <translation>resíduo dividido por seu s</translation>
     </message>
     <message>
         <source>passed</source>
-        <translation type="unfinished"></translation>
+        <translation>passou</translation>
     </message>
     <message>
         <source>not passed</source>
-        <translation type="unfinished"></translation>
+        <translation>não passou</translation>
     </message>
     <message>
         <source>line of the baseline</source>
-        <translation type="unfinished"></translation>
+        <translation>reta da linha de base</translation>
     </message>
     <message>
         <source>baseline</source>
-        <translation type="unfinished"></translation>
+        <translation>linha de base</translation>
     </message>
     <message>
         <source>scatter</source>
-        <translation type="unfinished"></translation>
+        <translation>dispersão</translation>
     </message>
     <message>
         <source>the name of the file says that it is a %1</source>
-        <translation type="unfinished"></translation>
+        <translation>segundo o nome do arquivo, a forma é: %1</translation>
     </message>
     <message>
         <source>the file does not say which form its points have: a %1 is fitted; choose another one in the table of features</source>
-        <translation type="unfinished"></translation>
+        <translation>o arquivo não diz que forma seus pontos têm: ajusta-se a forma %1; escolha outra na tabela de elementos</translation>
     </message>
     <message>
         <source>the first line is not a number of points</source>
-        <translation type="unfinished"></translation>
+        <translation>a primeira linha não é um número de pontos</translation>
     </message>
     <message>
         <source>x y z were expected, %1 columns found</source>
-        <translation type="unfinished"></translation>
+        <translation>esperavam-se x y z, encontraram-se %1 colunas</translation>
     </message>
     <message>
         <source>the first line announces %1 points, but there are %2</source>
-        <translation type="unfinished"></translation>
+        <translation>a primeira linha anuncia %1 pontos, mas há %2</translation>
     </message>
     <message>
         <source>what stands behind the %1 points</source>
-        <translation type="unfinished"></translation>
+        <translation>o que vem depois dos %1 pontos</translation>
     </message>
     <message>
         <source>%1 points; their uncertainty is taken from their scatter about the form</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 pontos; sua incerteza é tomada de sua dispersão em torno da forma</translation>
     </message>
     <message>
         <source>%1 points; state their uncertainty: the file says nothing of it</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 pontos; declare sua incerteza: o arquivo nada diz dela</translation>
     </message>
     <message>
         <source>List of coordinates (NIST .ds)</source>
-        <translation type="unfinished"></translation>
+        <translation>Lista de coordenadas (NIST .ds)</translation>
     </message>
     <message>
         <source>Sheet</source>
-        <translation type="unfinished"></translation>
+        <translation>Folha</translation>
     </message>
     <message>
         <source>Statistical tests</source>
-        <translation type="unfinished"></translation>
+        <translation>Testes estatísticos</translation>
     </message>
     <message>
         <source>test</source>
-        <translation type="unfinished"></translation>
+        <translation>teste</translation>
     </message>
     <message>
         <source>Lengths of the baseline</source>
-        <translation type="unfinished"></translation>
+        <translation>Comprimentos da linha de base</translation>
     </message>
     <message>
         <source>Readings and their residuals</source>
-        <translation type="unfinished"></translation>
+        <translation>Leituras e seus resíduos</translation>
     </message>
     <message>
         <source>Residuals of the distances</source>
-        <translation type="unfinished"></translation>
+        <translation>Resíduos das distâncias</translation>
     </message>
     <message>
         <source>−s</source>
-        <translation type="unfinished"></translation>
+        <translation>−s</translation>
     </message>
     <message>
         <source>Uncertainties of the points are used</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertezas dos pontos que se usam</translation>
     </message>
     <message>
         <source>As stated; or as the residuals of least-squares frames see them: stated ones times one common factor, or times the factor of each figure (variance components). Either has the degrees of freedom of its estimate. What all points share stays as stated.</source>
-        <translation type="unfinished"></translation>
+        <translation>Como declaradas; ou como as mostram os resíduos dos referenciais por mínimos quadrados: as declaradas vezes um fator comum, ou vezes o fator de cada número (componentes de variância). Nos dois casos, com os graus de liberdade de sua estimativa. O que todos os pontos compartilham fica como declarado.</translation>
     </message>
     <message>
         <source>Zero, scale, refraction, index and collimation of an instrument are unknowns with or without a prior, which all of its readings share.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zero, escala, refração, índice e colimação de um instrumento são incógnitas, com ou sem distribuição a priori, que todas as suas leituras compartilham.</translation>
     </message>
     <message>
         <source>Map projections are not part of it: reduce the readings before. The curvature of the Earth counts in zenith angles where its radius is given.</source>
-        <translation type="unfinished"></translation>
+        <translation>Projeções cartográficas não fazem parte: reduza antes as leituras. A curvatura da Terra conta em ângulos zenitais onde seu raio é dado.</translation>
     </message>
     <message>
         <source>Which instrument read it: readings of one kind by one instrument rest on one figure when stated uncertainties are held against the residuals, and share its figures.</source>
-        <translation type="unfinished"></translation>
+        <translation>Que instrumento a leu: leituras de um tipo por um instrumento apoiam-se em um só número quando as incertezas declaradas são confrontadas com os resíduos, e compartilham os números do instrumento.</translation>
     </message>
     <message>
         <source>A reading that is left out stays in the table, and is told among those left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>Uma leitura omitida permanece na tabela e é mencionada entre as omitidas.</translation>
     </message>
     <message>
         <source>left out</source>
-        <translation type="unfinished"></translation>
+        <translation>omitida</translation>
     </message>
     <message>
         <source>Figures as seen in</source>
-        <translation type="unfinished"></translation>
+        <translation>Números observados em</translation>
     </message>
     <message>
         <source>Another network, rounds of a total station say, whose residuals see what its readings are worth. Readings of the same kind and instrument get the standard uncertainty that it sees, with its degrees of freedom, and follow its readings; others stay as stated here.</source>
-        <translation type="unfinished"></translation>
+        <translation>Outra rede, por exemplo séries de uma estação total, cujos resíduos mostram quanto valem suas leituras. Leituras do mesmo tipo e instrumento recebem a incerteza-padrão que ela observa, com seus graus de liberdade, e seguem as leituras dela; as outras ficam como declaradas aqui.</translation>
     </message>
     <message>
         <source>Figures of instruments</source>
-        <translation type="unfinished"></translation>
+        <translation>Números dos instrumentos</translation>
     </message>
     <message>
         <source>What an instrument does to all of its readings alike, with what is known of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>O que um instrumento faz a todas as suas leituras igualmente, com o que se sabe disso.</translation>
     </message>
     <message>
         <source>Name of the instrument, as in the column of the readings; empty: of all readings without one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nome do instrumento, como na coluna das leituras; vazio: de todas as leituras que não têm nenhum.</translation>
     </message>
     <message>
         <source>What it does to all of its readings alike: its zero is added to distances, by its scale (weather correction included) they are longer, refraction bends its lines of sight, its index is added to zenith angles, its collimation over the sine of the zenith angle to directions.</source>
-        <translation type="unfinished"></translation>
+        <translation>O que ele faz a todas as suas leituras igualmente: seu zero é somado às distâncias, por sua escala (correção meteorológica incluída) elas são mais longas, a refração curva suas linhas de visada, seu índice é somado aos ângulos zenitais, sua colimação, dividida pelo seno do ângulo zenital, às direções.</translation>
     </message>
     <message>
         <source>zero of distances</source>
-        <translation type="unfinished"></translation>
+        <translation>zero das distâncias</translation>
     </message>
     <message>
         <source>refraction coefficient</source>
-        <translation type="unfinished"></translation>
+        <translation>coeficiente de refração</translation>
     </message>
     <message>
         <source>vertical index</source>
-        <translation type="unfinished"></translation>
+        <translation>índice vertical</translation>
     </message>
     <message>
         <source>knowledge</source>
-        <translation type="unfinished"></translation>
+        <translation>conhecimento</translation>
     </message>
     <message>
         <source>Unknown: the readings tell it; stated with u: its value is one more reading, which all of the instrument&apos;s share; fixed without uncertainty.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incógnita: as leituras a dizem; declarada com u: seu valor é mais uma leitura, que todas as do instrumento compartilham; fixa, sem incerteza.</translation>
     </message>
     <message>
         <source>The zero; 0 where it is empty.</source>
-        <translation type="unfinished"></translation>
+        <translation>O zero; 0 onde está vazio.</translation>
     </message>
     <message>
         <source>Standard uncertainty of a stated zero.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incerteza-padrão de um zero declarado.</translation>
     </message>
     <message>
         <source>The scale beyond 1, or the refraction coefficient.</source>
-        <translation type="unfinished"></translation>
+        <translation>A escala além de 1, ou o coeficiente de refração.</translation>
     </message>
     <message>
         <source>u of ratio</source>
-        <translation type="unfinished"></translation>
+        <translation>u da razão</translation>
     </message>
     <message>
         <source>Standard uncertainty of a stated scale or refraction coefficient.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incerteza-padrão de uma escala ou um coeficiente de refração declarados.</translation>
     </message>
     <message>
         <source>The index or collimation; 0 where it is empty.</source>
-        <translation type="unfinished"></translation>
+        <translation>O índice ou a colimação; 0 onde está vazio.</translation>
     </message>
     <message>
         <source>Standard uncertainty of a stated index or collimation.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incerteza-padrão de um índice ou uma colimação declarados.</translation>
     </message>
     <message>
         <source>Radius of the Earth</source>
-        <translation type="unfinished"></translation>
+        <translation>Raio da Terra</translation>
     </message>
     <message>
         <source>Where the curvature of the Earth counts in zenith angles; empty: it does not.</source>
-        <translation type="unfinished"></translation>
+        <translation>Onde a curvatura da Terra conta em ângulos zenitais; vazio: não conta.</translation>
     </message>
     <message>
         <source>Refraction coefficient</source>
-        <translation type="unfinished"></translation>
+        <translation>Coeficiente de refração</translation>
     </message>
     <message>
         <source>Of zenith angles, where the curvature of the Earth counts and no instrument states its own.</source>
-        <translation type="unfinished"></translation>
+        <translation>De ângulos zenitais, onde a curvatura da Terra conta e nenhum instrumento declara o seu próprio.</translation>
     </message>
     <message>
         <source>What is left out</source>
-        <translation type="unfinished"></translation>
+        <translation>O que se omite</translation>
     </message>
     <message>
         <source>Gross readings beyond</source>
-        <translation type="unfinished"></translation>
+        <translation>Erros grosseiros acima de</translation>
     </message>
     <message>
         <source>Readings that miss what the others agree on (a robust adjustment) by more, an angle at its target, are left out; empty: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>São omitidas as leituras que se afastam mais do que isto daquilo em que as outras concordam (um ajustamento robusto), medido um ângulo em seu alvo; vazio: nenhuma.</translation>
     </message>
     <message>
         <source>Points that nothing tells</source>
-        <translation type="unfinished"></translation>
+        <translation>Pontos que nada determina</translation>
     </message>
     <message>
         <source>They are refused, by name; or left out with their readings, and told.</source>
-        <translation type="unfinished"></translation>
+        <translation>São recusados, pelo nome; ou omitidos com suas leituras, e mencionados.</translation>
     </message>
     <message>
         <source>are refused</source>
-        <translation type="unfinished"></translation>
+        <translation>são recusados</translation>
     </message>
     <message>
         <source>are left out</source>
-        <translation type="unfinished"></translation>
+        <translation>são omitidos</translation>
     </message>
     <message>
         <source>Outliers</source>
-        <translation type="unfinished"></translation>
+        <translation>Valores atípicos</translation>
     </message>
     <message>
         <source>All readings are kept, and the adjustment says which contradict the others; or the search begins robustly (Huber&apos;s weights), and readings with |w| beyond 3.29 are left out, each with its reason.</source>
-        <translation type="unfinished"></translation>
+        <translation>Todas as leituras são mantidas, e o ajustamento diz quais contradizem as outras; ou a busca começa de forma robusta (pesos de Huber), e leituras com |w| além de 3,29 são omitidas, cada uma com seu motivo.</translation>
     </message>
     <message>
         <source>are kept</source>
-        <translation type="unfinished"></translation>
+        <translation>são mantidos</translation>
     </message>
     <message>
         <source>robust start, and left out</source>
-        <translation type="unfinished"></translation>
+        <translation>início robusto, e omitidos</translation>
     </message>
     <message>
         <source>Uncertainties of the points</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertezas dos pontos</translation>
     </message>
     <message>
         <source>As stated; or as the distances of the points from their circles see them: stated ones times one common factor, or times the factor of each figure (variance components). Either has the degrees of freedom of its estimate. What all points share stays as stated.</source>
-        <translation type="unfinished"></translation>
+        <translation>Como declaradas; ou como as mostram as distâncias dos pontos a seus círculos: as declaradas vezes um fator comum, ou vezes o fator de cada número (componentes de variância). Nos dois casos, com os graus de liberdade de sua estimativa. O que todos os pontos compartilham fica como declarado.</translation>
     </message>
     <message>
         <source>Uncertainties of points and readings</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertezas de pontos e leituras</translation>
     </message>
     <message>
         <source>As stated; or as the residuals of this fit see them: stated ones times one common factor, or times the factor of each figure (variance components). Either has the degrees of freedom of its estimate. What all poses share stays as stated.</source>
-        <translation type="unfinished"></translation>
+        <translation>Como declaradas; ou como as mostram os resíduos deste ajuste: as declaradas vezes um fator comum, ou vezes o fator de cada número (componentes de variância). Nos dois casos, com os graus de liberdade de sua estimativa. O que todas as poses compartilham fica como declarado.</translation>
     </message>
     <message>
         <source>Stated ones weigh the points and are used as they are; or they are used as the residuals see them: times one common factor, or times one of x and one of y. Either has the degrees of freedom of its estimate. What all points share stays as stated.</source>
-        <translation type="unfinished"></translation>
+        <translation>As declaradas ponderam os pontos e são usadas como estão; ou são usadas como as mostram os resíduos: vezes um fator comum, ou vezes um de x e um de y. Nos dois casos, com os graus de liberdade de sua estimativa. O que todos os pontos compartilham fica como declarado.</translation>
     </message>
     <message>
         <source>Accuracy and repeatability of poses</source>
-        <translation type="unfinished"></translation>
+        <translation>Exatidão e repetibilidade de poses</translation>
     </message>
     <message>
         <source>What ISO 9283 asks of a robot, from measured poses: AP and RP, distances, directions of approach, drift; with the uncertainty that few cycles and the instrument leave, and decisions about a maker&apos;s figures.</source>
-        <translation type="unfinished"></translation>
+        <translation>O que a ISO 9283 pede de um robô, por poses medidas: AP e RP, distâncias, direções de aproximação, deriva; com a incerteza que poucos ciclos e o instrumento deixam, e decisões sobre os números de um fabricante.</translation>
     </message>
     <message>
         <source>RP of the standard comes out too small from few cycles: by 2 % from 30 and 7 % from 10, where the scatter is alike in all directions. The result is multiplied by what that is for the shape of the scatter seen; the table gives RP as the standard defines it beside it.</source>
-        <translation type="unfinished"></translation>
+        <translation>A RP da norma resulta pequena demais com poucos ciclos: em 2 % com 30 e 7 % com 10, onde a dispersão é igual em todas as direções. O resultado é multiplicado pelo que isso é para a forma da dispersão observada; a tabela dá ao lado a RP como a norma a define.</translation>
     </message>
     <message>
         <source>Scatter is taken to be normal. The law of RP for the number of cycles and the shape of the scatter comes from up to 4,000 simulated campaigns, always the same ones.</source>
-        <translation type="unfinished"></translation>
+        <translation>A dispersão é tomada como normal. A lei de RP para o número de ciclos e a forma da dispersão vem de até 4000 campanhas simuladas, sempre as mesmas.</translation>
     </message>
     <message>
         <source>Limits and numbers of cycles of the standard are not built in: what is held against a figure is what is entered. Formulas of directions, distances and drift are those in common use; hold them against the text of the standard before a sheet names it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Limites e números de ciclos da norma não estão embutidos: o que se confronta com um número é o que se insere. As fórmulas de direções, distâncias e deriva são as de uso comum; confronte-as com o texto da norma antes que uma folha a nomeie.</translation>
     </message>
     <message>
         <source>RP² is split between robot and instrument as if both scattered in one shape.</source>
-        <translation type="unfinished"></translation>
+        <translation>RP² é dividida entre robô e instrumento como se a dispersão de ambos tivesse a mesma forma.</translation>
     </message>
     <message>
         <source>Commanded poses</source>
-        <translation type="unfinished"></translation>
+        <translation>Poses comandadas</translation>
     </message>
     <message>
         <source>Where the robot was sent to.</source>
-        <translation type="unfinished"></translation>
+        <translation>Para onde o robô foi enviado.</translation>
     </message>
     <message>
         <source>Name, unique: P1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nome, único: P1.</translation>
     </message>
     <message>
         <source>Commanded coordinate x in the base of the robot.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada x comandada na base do robô.</translation>
     </message>
     <message>
         <source>Commanded coordinate y in the base of the robot.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada y comandada na base do robô.</translation>
     </message>
     <message>
         <source>Commanded coordinate z in the base of the robot.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada z comandada na base do robô.</translation>
     </message>
     <message>
         <source>Commanded angle of the orientation; empty: orientations are not evaluated.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ângulo comandado da orientação; vazio: orientações não são avaliadas.</translation>
     </message>
     <message>
         <source>Attained poses</source>
-        <translation type="unfinished"></translation>
+        <translation>Poses atingidas</translation>
     </message>
     <message>
         <source>A row for every cycle in the order of measurement, typed, pasted or from a CSV file. The coordinates are those of the robot&apos;s base.</source>
-        <translation type="unfinished"></translation>
+        <translation>Uma linha para cada ciclo na ordem da medição, digitadas, coladas ou de um arquivo CSV. As coordenadas são as da base do robô.</translation>
     </message>
     <message>
         <source>As in the commanded poses.</source>
-        <translation type="unfinished"></translation>
+        <translation>Como nas poses comandadas.</translation>
     </message>
     <message>
         <source>From where the pose was approached, where there are several ways; empty: one for all.</source>
-        <translation type="unfinished"></translation>
+        <translation>De onde se aproximou da pose, onde há vários caminhos; vazio: um para todas.</translation>
     </message>
     <message>
         <source>Of the series of cycles, where it is repeated to see a drift; empty: there is one series.</source>
-        <translation type="unfinished"></translation>
+        <translation>Da série de ciclos, onde é repetida para ver uma deriva; vazio: há uma série.</translation>
     </message>
     <message>
         <source>Attained coordinate x in the base of the robot.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada x atingida na base do robô.</translation>
     </message>
     <message>
         <source>Attained coordinate y in the base of the robot.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada y atingida na base do robô.</translation>
     </message>
     <message>
         <source>Attained coordinate z in the base of the robot.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada z atingida na base do robô.</translation>
     </message>
     <message>
         <source>Attained angle of the orientation.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ângulo atingido da orientação.</translation>
     </message>
     <message>
         <source>Pairs of poses whose distance is held against the commanded one, cycle by cycle.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pares de poses cuja distância é confrontada com a comandada, ciclo por ciclo.</translation>
     </message>
     <message>
         <source>A commanded pose.</source>
-        <translation type="unfinished"></translation>
+        <translation>Uma pose comandada.</translation>
     </message>
     <message>
         <source>Another one, with as many cycles.</source>
-        <translation type="unfinished"></translation>
+        <translation>Outra, com o mesmo número de ciclos.</translation>
     </message>
     <message>
         <source>u of a measured coordinate</source>
-        <translation type="unfinished"></translation>
+        <translation>u de uma coordenada medida</translation>
     </message>
     <message>
         <source>Standard uncertainty that all cycles of a pose share: of the instrument and of the robot&apos;s base in its frame. It is part of u(AP), not of RP.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incerteza-padrão que todos os ciclos de uma pose compartilham: do instrumento e da base do robô no referencial do instrumento. É parte de u(AP), não de RP.</translation>
     </message>
     <message>
         <source>Scatter of the instrument</source>
-        <translation type="unfinished"></translation>
+        <translation>Dispersão do instrumento</translation>
     </message>
     <message>
         <source>What the instrument scatters by itself is part of RP. Where it is known, RP² less its RP² is that of the robot, if both scatter alike in all directions.</source>
-        <translation type="unfinished"></translation>
+        <translation>A dispersão própria do instrumento é parte de RP. Onde é conhecida, RP² menos a RP² do instrumento é a do robô, se a dispersão de ambos é igual em todas as direções.</translation>
     </message>
     <message>
         <source>not taken out</source>
-        <translation type="unfinished"></translation>
+        <translation>não descontada</translation>
     </message>
     <message>
         <source>its RP from a fixed target</source>
-        <translation type="unfinished"></translation>
+        <translation>sua RP com um alvo fixo</translation>
     </message>
     <message>
         <source>readings of a fixed target</source>
-        <translation type="unfinished"></translation>
+        <translation>leituras de um alvo fixo</translation>
     </message>
     <message>
         <source>RP of the instrument alone</source>
-        <translation type="unfinished"></translation>
+        <translation>RP do instrumento sozinho</translation>
     </message>
     <message>
         <source>l̄ + 3 s of readings of a fixed target, as measured in the cell.</source>
-        <translation type="unfinished"></translation>
+        <translation>l̄ + 3 s de leituras de um alvo fixo, como medidas na célula.</translation>
     </message>
     <message>
         <source>Its readings</source>
-        <translation type="unfinished"></translation>
+        <translation>Suas leituras</translation>
     </message>
     <message>
         <source>Number of readings that it is taken from: so well is it known.</source>
-        <translation type="unfinished"></translation>
+        <translation>Número de leituras de que é obtida: dele depende quão bem é conhecida.</translation>
     </message>
     <message>
         <source>Readings of a fixed target</source>
-        <translation type="unfinished"></translation>
+        <translation>Leituras de um alvo fixo</translation>
     </message>
     <message>
         <source>Coordinates of a target that does not move, read as the poses were.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenadas de um alvo que não se move, lidas como as poses.</translation>
     </message>
     <message>
         <source>Read coordinate x.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada x lida.</translation>
     </message>
     <message>
         <source>Read coordinate y.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada y lida.</translation>
     </message>
     <message>
         <source>Read coordinate z.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada z lida.</translation>
     </message>
     <message>
         <source>Decisions</source>
-        <translation type="unfinished"></translation>
+        <translation>Decisões</translation>
     </message>
     <message>
         <source>Rated AP</source>
-        <translation type="unfinished"></translation>
+        <translation>AP nominal</translation>
     </message>
     <message>
         <source>The maker&apos;s figure; empty: nothing is decided.</source>
-        <translation type="unfinished"></translation>
+        <translation>O número do fabricante; vazio: nada é decidido.</translation>
     </message>
     <message>
         <source>Rated RP</source>
-        <translation type="unfinished"></translation>
+        <translation>RP nominal</translation>
     </message>
     <message>
         <source>Probability of a decision</source>
-        <translation type="unfinished"></translation>
+        <translation>Probabilidade de uma decisão</translation>
     </message>
     <message>
         <source>A robot conforms where this is the probability that its figure is not above the rated one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Um robô é conforme onde esta é a probabilidade de que seu número não esteja acima do nominal.</translation>
     </message>
     <message>
         <source>U of the instrument</source>
-        <translation type="unfinished"></translation>
+        <translation>U do instrumento</translation>
     </message>
     <message>
         <source>Expanded uncertainty of the measured position, k = 2; empty: it is not held against AP and RP.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incerteza expandida da posição medida, k = 2; vazio: não é confrontada com AP e RP.</translation>
     </message>
     <message>
         <source>Largest ratio of U to AP, RP</source>
-        <translation type="unfinished"></translation>
+        <translation>Maior razão de U para AP, RP</translation>
     </message>
     <message>
         <source>What the standard or the contract allows, as it says it.</source>
-        <translation type="unfinished"></translation>
+        <translation>O que a norma ou o contrato permite, como o diz.</translation>
     </message>
     <message>
         <source>Two-face and length tests of a tracker</source>
-        <translation type="unfinished"></translation>
+        <translation>Testes de duas faces e de comprimento de um laser tracker</translation>
     </message>
     <message>
         <source>Errors of a laser tracker at the positions of its acceptance test, with the uncertainty of the test, and the decision whether they are within the maximum permissible errors.</source>
-        <translation type="unfinished"></translation>
+        <translation>Erros de um laser tracker nas posições de seu teste de aceitação, com a incerteza do teste, e a decisão se estão dentro dos erros máximos admissíveis.</translation>
     </message>
     <message>
         <source>Positions, numbers of repetitions and limits are those that are entered: none of a standard is built in.</source>
-        <translation type="unfinished"></translation>
+        <translation>Posições, números de repetições e limites são os que se inserem: nenhum de uma norma está embutido.</translation>
     </message>
     <message>
         <source>The uncertainty of a test value is what the test adds, not the scatter of the tracker: that is what is tested.</source>
-        <translation type="unfinished"></translation>
+        <translation>A incerteza de um valor de teste é o que o teste acrescenta, não a dispersão do laser tracker: é ela que é testada.</translation>
     </message>
     <message>
         <source>A row for every position, typed, pasted or from a CSV file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Uma linha para cada posição, digitadas, coladas ou de um arquivo CSV.</translation>
     </message>
     <message>
         <source>Number or name of the position, unique.</source>
-        <translation type="unfinished"></translation>
+        <translation>Número ou nome da posição, único.</translation>
     </message>
     <message>
         <source>Two-face: a fixed target read in both faces. Length: a reference length.</source>
-        <translation type="unfinished"></translation>
+        <translation>Duas faces: um alvo fixo lido em ambas as faces. Comprimento: um comprimento de referência.</translation>
     </message>
     <message>
         <source>two-face</source>
-        <translation type="unfinished"></translation>
+        <translation>duas faces</translation>
     </message>
     <message>
         <source>Two-face: distance across the beam between the readings of both faces. Length: as measured.</source>
-        <translation type="unfinished"></translation>
+        <translation>Duas faces: distância transversal ao feixe entre as leituras de ambas as faces. Comprimento: como medido.</translation>
     </message>
     <message>
         <source>reference</source>
-        <translation type="unfinished"></translation>
+        <translation>referência</translation>
     </message>
     <message>
         <source>Calibrated length, of a length test.</source>
-        <translation type="unfinished"></translation>
+        <translation>Comprimento calibrado, de um teste de comprimento.</translation>
     </message>
     <message>
         <source>range</source>
-        <translation type="unfinished"></translation>
+        <translation>distância</translation>
     </message>
     <message>
         <source>Distance of the target, or of the middle of the length, from the tracker.</source>
-        <translation type="unfinished"></translation>
+        <translation>Distância do alvo, ou do meio do comprimento, ao laser tracker.</translation>
     </message>
     <message>
         <source>Its horizontal angle; empty: 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Seu ângulo horizontal; vazio: 0.</translation>
     </message>
     <message>
         <source>Its angle above the horizon; empty: 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Seu ângulo acima do horizonte; vazio: 0.</translation>
     </message>
     <message>
         <source>Standard uncertainty of this test value; empty: that of its kind, as below.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incerteza-padrão deste valor de teste; vazio: a de seu tipo, como abaixo.</translation>
     </message>
     <message>
         <source>MPE</source>
-        <translation type="unfinished"></translation>
+        <translation>MPE</translation>
     </message>
     <message>
         <source>Limit for this position; empty: it follows from constant and slope, as below.</source>
-        <translation type="unfinished"></translation>
+        <translation>Limite para esta posição; vazio: decorre da constante e da inclinação, como abaixo.</translation>
     </message>
     <message>
         <source>Limits</source>
-        <translation type="unfinished"></translation>
+        <translation>Limites</translation>
     </message>
     <message>
         <source>MPE two-face, constant</source>
-        <translation type="unfinished"></translation>
+        <translation>MPE duas faces, constante</translation>
     </message>
     <message>
         <source>As the maker states it for a two-face test; empty: every two-face test has its own MPE.</source>
-        <translation type="unfinished"></translation>
+        <translation>Como o fabricante o declara para um teste de duas faces; vazio: cada teste de duas faces tem seu próprio MPE.</translation>
     </message>
     <message>
         <source>MPE two-face, per metre</source>
-        <translation type="unfinished"></translation>
+        <translation>MPE duas faces, por metro</translation>
     </message>
     <message>
         <source>Times the range of the target.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vezes a distância do alvo.</translation>
     </message>
     <message>
         <source>MPE length, constant</source>
-        <translation type="unfinished"></translation>
+        <translation>MPE comprimento, constante</translation>
     </message>
     <message>
         <source>As the maker states it; empty: every length has its own MPE.</source>
-        <translation type="unfinished"></translation>
+        <translation>Como o fabricante o declara; vazio: cada comprimento tem seu próprio MPE.</translation>
     </message>
     <message>
         <source>MPE length, per metre</source>
-        <translation type="unfinished"></translation>
+        <translation>MPE comprimento, por metro</translation>
     </message>
     <message>
         <source>Times the reference length.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vezes o comprimento de referência.</translation>
     </message>
     <message>
         <source>Uncertainty of the test values</source>
-        <translation type="unfinished"></translation>
+        <translation>Incerteza dos valores de teste</translation>
     </message>
     <message>
         <source>u of a two-face value</source>
-        <translation type="unfinished"></translation>
+        <translation>u de um valor de duas faces</translation>
     </message>
     <message>
         <source>Standard uncertainty of what the test adds: seat of the reflector, motion of its mount. Not the scatter of the tracker, which is tested.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incerteza-padrão do que o teste acrescenta: assento do refletor, movimento de seu suporte. Não a dispersão do laser tracker, que é testada.</translation>
     </message>
     <message>
         <source>u of a length</source>
-        <translation type="unfinished"></translation>
+        <translation>u de um comprimento</translation>
     </message>
     <message>
         <source>Standard uncertainty of what the test adds to each length: calibration, mounting, temperature. Not the scatter of the tracker.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incerteza-padrão do que o teste acrescenta a cada comprimento: calibração, montagem, temperatura. Não a dispersão do laser tracker.</translation>
     </message>
     <message>
         <source>u of the scale of the references</source>
-        <translation type="unfinished"></translation>
+        <translation>u da escala das referências</translation>
     </message>
     <message>
         <source>A position conforms where this is the probability that its error is within the MPE.</source>
-        <translation type="unfinished"></translation>
+        <translation>Uma posição é conforme onde esta é a probabilidade de que seu erro esteja dentro do MPE.</translation>
     </message>
     <message>
         <source>Accuracy and repeatability of a robot</source>
-        <translation type="unfinished"></translation>
+        <translation>Exatidão e repetibilidade de um robô</translation>
     </message>
     <message>
         <source>AP and RP of ISO 9283 from measured poses, and whether the maker&apos;s figures are met.</source>
-        <translation type="unfinished"></translation>
+        <translation>AP e RP da ISO 9283 por poses medidas, e se os números do fabricante são cumpridos.</translation>
     </message>
     <message>
         <source>Acceptance test of a tracker</source>
-        <translation type="unfinished"></translation>
+        <translation>Teste de aceitação de um laser tracker</translation>
     </message>
     <message>
         <source>Two-face and length tests against their limits, with the uncertainty of the test.</source>
-        <translation type="unfinished"></translation>
+        <translation>Testes de duas faces e de comprimento ante seus limites, com a incerteza do teste.</translation>
     </message>
     <message>
         <source>Robot at five poses, thirty cycles</source>
-        <translation type="unfinished"></translation>
+        <translation>Robô em cinco poses, trinta ciclos</translation>
     </message>
     <message>
         <source>An industrial robot, sent thirty times to each of five poses and measured by a laser tracker: AP and RP after ISO 9283 with what thirty cycles and the tracker leave open of them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Um robô industrial, enviado trinta vezes a cada uma de cinco poses e medido por um laser tracker: AP e RP segundo a ISO 9283, com o que trinta ciclos e o laser tracker deixam em aberto delas.</translation>
     </message>
     <message>
         <source>From rounds of a total station to a certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>De séries de uma estação total a um certificado</translation>
     </message>
     <message>
         <source>Four rounds of a total station say what its readings are worth: a network takes their figures as seen, a pose takes its points from the network, and the certificate states the pose.</source>
-        <translation type="unfinished"></translation>
+        <translation>Quatro séries de uma estação total dizem quanto valem suas leituras: uma rede toma seus números observados, uma pose toma seus pontos da rede, e o certificado declara a pose.</translation>
     </message>
     <message>
         <source>Acceptance test of a laser tracker</source>
-        <translation type="unfinished"></translation>
+        <translation>Teste de aceitação de um laser tracker</translation>
     </message>
     <message>
         <source>A laser tracker, tested with fixed reflectors read in both faces from three distances, and with a reference length of 2.3 m.</source>
-        <translation type="unfinished"></translation>
+        <translation>Um laser tracker, testado com refletores fixos lidos em ambas as faces de três distâncias, e com um comprimento de referência de 2,3 m.</translation>
     </message>
     <message>
         <source>%1 is a temperature in %3, and here it would be taken in kelvin (20 degC as 293.15 K): if it is a difference, give it in %4; for its reading in %3 write (%2 - 0 [%3]). Only the ratio of two temperatures in %3 is taken in kelvin</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 é uma temperatura em %3, e aqui seria tomada em kelvin (20 degC como 293,15 K): se é uma diferença, dê-a em %4; para sua leitura em %3 escreva (%2 - 0 [%3]). Só a razão de duas temperaturas em %3 é tomada em kelvin</translation>
     </message>
     <message>
         <source>%1 is a multiple of a temperature in %2, which depends on where the scale has its zero: if the temperature is a difference, give it in %3; else multiply its reading, as in 1.5*(t - 0 [%2])</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 é um múltiplo de uma temperatura em %2, que depende de onde a escala tem seu zero: se a temperatura é uma diferença, dê-a em %3; senão multiplique sua leitura, como em 1.5*(t - 0 [%2])</translation>
     </message>
     <message>
         <source>a part (%, ppm) or multiple of a temperature in %1 depends on where the scale has its zero: give the figure in %2</source>
-        <translation type="unfinished"></translation>
+        <translation>uma parte (%, ppm) ou um múltiplo de uma temperatura em %1 depende de onde a escala tem seu zero: dê o número em %2</translation>
     </message>
     <message>
         <source>a difference: %1 in %2</source>
-        <translation type="unfinished"></translation>
+        <translation>uma diferença: %1 em %2</translation>
     </message>
     <message>
         <source>column &apos;%1&apos; of &apos;%2&apos; is %3; its unit is missing: write &quot;%4 [%5]&quot;</source>
@@ -16882,711 +16882,711 @@ nu 18 atrás de qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>column &apos;%1&apos; of &apos;%2&apos; is a difference of temperatures: give it in %3, not in %4</source>
-        <translation type="unfinished"></translation>
+        <translation>a coluna &apos;%1&apos; de &apos;%2&apos; é uma diferença de temperaturas: dê-a em %3, não em %4</translation>
     </message>
     <message>
         <source>%1 is a difference of temperatures: give it in %2, not in %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 é uma diferença de temperaturas: dê-a em %2, não em %3</translation>
     </message>
     <message>
         <source>The figures of the set-up are too far apart in size for %1: the last digits of the estimates change its sensitivity coefficients by more than a tenth. Give coordinates from a place nearby.</source>
-        <translation type="unfinished"></translation>
+        <translation>Os números da configuração são de tamanhos díspares demais para %1: os últimos algarismos das estimativas mudam seus coeficientes de sensibilidade em mais de um décimo. Dê as coordenadas em relação a um lugar próximo.</translation>
     </message>
     <message>
         <source>uncertainties as the residuals see them</source>
-        <translation type="unfinished"></translation>
+        <translation>incertezas como as mostram os resíduos</translation>
     </message>
     <message>
         <source>stated figures of instruments</source>
-        <translation type="unfinished"></translation>
+        <translation>números declarados dos instrumentos</translation>
     </message>
     <message>
         <source>%1 does not see these figures, so they stay as stated here: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 não vê estes números, portanto ficam como declarados aqui: %2</translation>
     </message>
     <message>
         <source>readings of figures that are seen elsewhere are correlated with others here</source>
-        <translation type="unfinished"></translation>
+        <translation>leituras de números observados noutro local estão correlacionadas com outras aqui</translation>
     </message>
     <message>
         <source>the readings from %1 agree if the names %2 and %3 are exchanged there</source>
-        <translation type="unfinished"></translation>
+        <translation>as leituras de %1 concordam se os nomes %2 e %3 forem trocados lá</translation>
     </message>
     <message>
         <source>as seen in %1: %2 times what is stated here</source>
-        <translation type="unfinished"></translation>
+        <translation>como observado em %1: %2 vezes o declarado aqui</translation>
     </message>
     <message>
         <source>the only direction of its round, whose orientation is not known</source>
-        <translation type="unfinished"></translation>
+        <translation>a única direção de sua série, cuja orientação não é conhecida</translation>
     </message>
     <message>
         <source>it contradicts the others: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>contradiz as outras: %1</translation>
     </message>
     <message>
         <source>it contradicts the others: %1; it cannot be told apart from %2</source>
-        <translation type="unfinished"></translation>
+        <translation>contradiz as outras: %1; não pode ser distinguida de %2</translation>
     </message>
     <message>
         <source>nothing tells them</source>
-        <translation type="unfinished"></translation>
+        <translation>nada os determina</translation>
     </message>
     <message>
         <source>x and y of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>x e y de %1</translation>
     </message>
     <message>
         <source>the height of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>a altura de %1</translation>
     </message>
     <message>
         <source>nothing tells it</source>
-        <translation type="unfinished"></translation>
+        <translation>nada a determina</translation>
     </message>
     <message>
         <source>its point %1 is left out</source>
-        <translation type="unfinished"></translation>
+        <translation>seu ponto %1 é omitido</translation>
     </message>
     <message>
         <source>the height of %1 is left out</source>
-        <translation type="unfinished"></translation>
+        <translation>a altura de %1 é omitida</translation>
     </message>
     <message>
         <source>it misses what the others agree on by %1 m, more than %2 m</source>
-        <translation type="unfinished"></translation>
+        <translation>afasta-se daquilo em que as outras concordam por %1 m, mais de %2 m</translation>
     </message>
     <message>
         <source>|w| = %1</source>
-        <translation type="unfinished"></translation>
+        <translation>|w| = %1</translation>
     </message>
     <message>
         <source>%1 times its u in a robust adjustment</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 vezes sua u em um ajustamento robusto</translation>
     </message>
     <message>
         <source>by hand</source>
-        <translation type="unfinished"></translation>
+        <translation>à mão</translation>
     </message>
     <message>
         <source>%1 is left out: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>omite-se %1: %2</translation>
     </message>
     <message>
         <source>and %1 more are left out, listed with their reasons</source>
-        <translation type="unfinished"></translation>
+        <translation>e mais %1 são omitidas, listadas com seus motivos</translation>
     </message>
     <message>
         <source>zero c and scale m of distances, index i, refraction k</source>
-        <translation type="unfinished"></translation>
+        <translation>zero c e escala m das distâncias, índice i, refração k</translation>
     </message>
     <message>
         <source>all instruments</source>
-        <translation type="unfinished"></translation>
+        <translation>todos os instrumentos</translation>
     </message>
     <message>
         <source>the zero of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>o zero de %1</translation>
     </message>
     <message>
         <source>the scale of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>a escala de %1</translation>
     </message>
     <message>
         <source>the refraction coefficient of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>o coeficiente de refração de %1</translation>
     </message>
     <message>
         <source>the vertical index of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>o índice vertical de %1</translation>
     </message>
     <message>
         <source>the collimation of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>a colimação de %1</translation>
     </message>
     <message>
         <source>%1 is stated twice</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 é declarado duas vezes</translation>
     </message>
     <message>
         <source>%1 needs the radius of the Earth</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 precisa do raio da Terra</translation>
     </message>
     <message>
         <source>there is no reading that %1 would change: readings say their instrument in their column</source>
-        <translation type="unfinished"></translation>
+        <translation>não há leitura que mudasse com %1: as leituras dizem seu instrumento em sua coluna</translation>
     </message>
     <message>
         <source>outlier? it cannot be told apart from %1</source>
-        <translation type="unfinished"></translation>
+        <translation>valor atípico? não pode ser distinguido de %1</translation>
     </message>
     <message>
         <source>Reason</source>
-        <translation type="unfinished"></translation>
+        <translation>Motivo</translation>
     </message>
     <message>
         <source>the readings cannot tell %1 apart: add readings that see them differently, or state one of them</source>
-        <translation type="unfinished"></translation>
+        <translation>as leituras não conseguem distinguir %1: acrescente leituras que os vejam de outro modo, ou declare um deles</translation>
     </message>
     <message>
         <source>nothing tells %1: add readings that see it, or state it with u</source>
-        <translation type="unfinished"></translation>
+        <translation>nada determina %1: acrescente leituras que o vejam, ou declare-o com u</translation>
     </message>
     <message>
         <source>%1 readings cannot tell %2 unknowns (coordinates less what the datum takes, orientations, figures of instruments): add %3 readings at least, or state figures with u</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 leituras não podem determinar %2 incógnitas (coordenadas menos o que o datum toma, orientações, números dos instrumentos): acrescente pelo menos %3 leituras, ou declare números com u</translation>
     </message>
     <message>
         <source>instruments</source>
-        <translation type="unfinished"></translation>
+        <translation>instrumentos</translation>
     </message>
     <message>
         <source>base points, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>pontos da base, %1</translation>
     </message>
     <message>
         <source>points of the moving frame, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>pontos do referencial móvel, %1</translation>
     </message>
     <message>
         <source>joint %1, point %2</source>
-        <translation type="unfinished"></translation>
+        <translation>junta %1, ponto %2</translation>
     </message>
     <message>
         <source>%1, off the plane</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, fora do plano</translation>
     </message>
     <message>
         <source>%1, along the radius</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, ao longo do raio</translation>
     </message>
     <message>
         <source>a thermodynamic temperature: %1 in %2</source>
-        <translation type="unfinished"></translation>
+        <translation>uma temperatura termodinâmica: %1 em %2</translation>
     </message>
     <message>
         <source>its reading in %2: %1 - 0 [%2]</source>
-        <translation type="unfinished"></translation>
+        <translation>sua leitura em %2: %1 - 0 [%2]</translation>
     </message>
     <message>
         <source>a part of its reading in %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>uma parte de sua leitura em %1: %2</translation>
     </message>
     <message>
         <source>a temperature: %1 in %2</source>
-        <translation type="unfinished"></translation>
+        <translation>uma temperatura: %1 em %2</translation>
     </message>
     <message>
         <source>y of the points</source>
-        <translation type="unfinished"></translation>
+        <translation>y dos pontos</translation>
     </message>
     <message>
         <source>x of the points</source>
-        <translation type="unfinished"></translation>
+        <translation>x dos pontos</translation>
     </message>
     <message>
         <source>the distance in row %1 is too long</source>
-        <translation type="unfinished"></translation>
+        <translation>a distância na linha %1 é longa demais</translation>
     </message>
     <message>
         <source>%1 distances between %2 pillars are more than a baseline has: at most %3 between %4</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 distâncias entre %2 pilares são mais do que uma linha de base tem: no máximo %3 entre %4</translation>
     </message>
     <message>
         <source>%1 cycles</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ciclos</translation>
     </message>
     <message>
         <source>few cycles</source>
-        <translation type="unfinished"></translation>
+        <translation>poucos ciclos</translation>
     </message>
     <message>
         <source>%1 cycles, normal scatter of the shape seen</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ciclos, dispersão normal da forma observada</translation>
     </message>
     <message>
         <source>barycentre of %1, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>baricentro de %1, %2</translation>
     </message>
     <message>
         <source>scatter of the cycles</source>
-        <translation type="unfinished"></translation>
+        <translation>dispersão dos ciclos</translation>
     </message>
     <message>
         <source>repeatability of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>repetibilidade de %1</translation>
     </message>
     <message>
         <source>mean deviation of angle %1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>desvio médio do ângulo %1 de %2</translation>
     </message>
     <message>
         <source>repeatability of angle %1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>repetibilidade do ângulo %1 de %2</translation>
     </message>
     <message>
         <source>instrument and base of the robot</source>
-        <translation type="unfinished"></translation>
+        <translation>instrumento e base do robô</translation>
     </message>
     <message>
         <source>error of the measured place of %1, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>erro do lugar medido de %1, %2</translation>
     </message>
     <message>
         <source>mean distance %1</source>
-        <translation type="unfinished"></translation>
+        <translation>distância média %1</translation>
     </message>
     <message>
         <source>repeatability of distance %1</source>
-        <translation type="unfinished"></translation>
+        <translation>repetibilidade da distância %1</translation>
     </message>
     <message>
         <source>repeatability of the instrument alone</source>
-        <translation type="unfinished"></translation>
+        <translation>repetibilidade do instrumento sozinho</translation>
     </message>
     <message>
         <source>ISO 9283, accuracy of a pose</source>
-        <translation type="unfinished"></translation>
+        <translation>ISO 9283, exatidão de uma pose</translation>
     </message>
     <message>
         <source>ISO 9283, repeatability; c = RP(∞)/RP(n) by simulated campaigns</source>
-        <translation type="unfinished"></translation>
+        <translation>ISO 9283, repetibilidade; c = RP(∞)/RP(n) por campanhas simuladas</translation>
     </message>
     <message>
         <source>without the instrument, where both scatter in one shape</source>
-        <translation type="unfinished"></translation>
+        <translation>sem o instrumento, onde a dispersão de ambos tem a mesma forma</translation>
     </message>
     <message>
         <source>of several directions of approach</source>
-        <translation type="unfinished"></translation>
+        <translation>de várias direções de aproximação</translation>
     </message>
     <message>
         <source>distances between poses</source>
-        <translation type="unfinished"></translation>
+        <translation>distâncias entre poses</translation>
     </message>
     <message>
         <source>drift</source>
-        <translation type="unfinished"></translation>
+        <translation>deriva</translation>
     </message>
     <message>
         <source>accuracy of the pose</source>
-        <translation type="unfinished"></translation>
+        <translation>exatidão da pose</translation>
     </message>
     <message>
         <source>repeatability of the pose</source>
-        <translation type="unfinished"></translation>
+        <translation>repetibilidade da pose</translation>
     </message>
     <message>
         <source>repeatability of the robot alone</source>
-        <translation type="unfinished"></translation>
+        <translation>repetibilidade do robô sozinho</translation>
     </message>
     <message>
         <source>share of the instrument in RP²</source>
-        <translation type="unfinished"></translation>
+        <translation>parcela do instrumento em RP²</translation>
     </message>
     <message>
         <source>accuracy of angle %1</source>
-        <translation type="unfinished"></translation>
+        <translation>exatidão do ângulo %1</translation>
     </message>
     <message>
         <source>repeatability of angle %1, ±</source>
-        <translation type="unfinished"></translation>
+        <translation>repetibilidade do ângulo %1, ±</translation>
     </message>
     <message>
         <source>variation of the accuracy over the directions of approach</source>
-        <translation type="unfinished"></translation>
+        <translation>variação da exatidão entre as direções de aproximação</translation>
     </message>
     <message>
         <source>drift of the accuracy</source>
-        <translation type="unfinished"></translation>
+        <translation>deriva da exatidão</translation>
     </message>
     <message>
         <source>drift of the repeatability</source>
-        <translation type="unfinished"></translation>
+        <translation>deriva da repetibilidade</translation>
     </message>
     <message>
         <source>accuracy of the distance</source>
-        <translation type="unfinished"></translation>
+        <translation>exatidão da distância</translation>
     </message>
     <message>
         <source>repeatability of the distance, ±</source>
-        <translation type="unfinished"></translation>
+        <translation>repetibilidade da distância, ±</translation>
     </message>
     <message>
         <source>the instrument alone scatters as much as what it measured at %1: nothing is left that could be called the robot&apos;s</source>
-        <translation type="unfinished"></translation>
+        <translation>o instrumento sozinho tem tanta dispersão quanto o que mediu em %1: nada resta que se pudesse chamar do robô</translation>
     </message>
     <message>
         <source>two series are called &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>duas séries chamam-se &apos;%1&apos;</translation>
     </message>
     <message>
         <source>there is no commanded pose &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>não há pose comandada &apos;%1&apos;</translation>
     </message>
     <message>
         <source>%1 has fewer than three cycles</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 tem menos de três ciclos</translation>
     </message>
     <message>
         <source>row %1 has angles, though its pose is commanded without them</source>
-        <translation type="unfinished"></translation>
+        <translation>a linha %1 tem ângulos, embora sua pose seja comandada sem eles</translation>
     </message>
     <message>
         <source>row %1 has no angles, though its pose is commanded with them</source>
-        <translation type="unfinished"></translation>
+        <translation>a linha %1 não tem ângulos, embora sua pose seja comandada com eles</translation>
     </message>
     <message>
         <source>the coordinates at %1 are too large</source>
-        <translation type="unfinished"></translation>
+        <translation>as coordenadas em %1 são grandes demais</translation>
     </message>
     <message>
         <source>pose &apos;%1&apos; is commanded twice</source>
-        <translation type="unfinished"></translation>
+        <translation>a pose &apos;%1&apos; é comandada duas vezes</translation>
     </message>
     <message>
         <source>pose &apos;%1&apos; is commanded with some angles and without others</source>
-        <translation type="unfinished"></translation>
+        <translation>a pose &apos;%1&apos; é comandada com alguns ângulos e sem outros</translation>
     </message>
     <message>
         <source>some poses are commanded with all angles and others are not</source>
-        <translation type="unfinished"></translation>
+        <translation>algumas poses são comandadas com todos os ângulos e outras não</translation>
     </message>
     <message>
         <source>no cycles were measured at pose &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>nenhum ciclo foi medido na pose &apos;%1&apos;</translation>
     </message>
     <message>
         <source>a distance from pose &apos;%1&apos; to itself</source>
-        <translation type="unfinished"></translation>
+        <translation>uma distância da pose &apos;%1&apos; a si mesma</translation>
     </message>
     <message>
         <source>the distance from &apos;%1&apos; to &apos;%2&apos; is there twice</source>
-        <translation type="unfinished"></translation>
+        <translation>a distância de &apos;%1&apos; a &apos;%2&apos; consta duas vezes</translation>
     </message>
     <message>
         <source>poses &apos;%1&apos; and &apos;%2&apos; have different numbers of cycles</source>
-        <translation type="unfinished"></translation>
+        <translation>as poses &apos;%1&apos; e &apos;%2&apos; têm números diferentes de ciclos</translation>
     </message>
     <message>
         <source>the coordinates of the fixed target in row %1 are too large</source>
-        <translation type="unfinished"></translation>
+        <translation>as coordenadas do alvo fixo na linha %1 são grandes demais</translation>
     </message>
     <message>
         <source>U of the instrument and the largest ratio go together: enter both, or neither</source>
-        <translation type="unfinished"></translation>
+        <translation>U do instrumento e a maior razão vão juntas: insira ambas, ou nenhuma</translation>
     </message>
     <message>
         <source>AP by scatter alone</source>
-        <translation type="unfinished"></translation>
+        <translation>AP só pela dispersão</translation>
     </message>
     <message>
         <source>RP, few cycles allowed for</source>
-        <translation type="unfinished"></translation>
+        <translation>RP, corrigida por poucos ciclos</translation>
     </message>
     <message>
         <source>u of it</source>
-        <translation type="unfinished"></translation>
+        <translation>u dela</translation>
     </message>
     <message>
         <source>Where AP is not twice what the scatter of the cycles alone makes of it, it says little about the robot.</source>
-        <translation type="unfinished"></translation>
+        <translation>Onde AP não é o dobro do que a dispersão dos ciclos sozinha produz, ela diz pouco sobre o robô.</translation>
     </message>
     <message>
         <source>largest s of an axis</source>
-        <translation type="unfinished"></translation>
+        <translation>maior s de um eixo</translation>
     </message>
     <message>
         <source>middle</source>
-        <translation type="unfinished"></translation>
+        <translation>intermediário</translation>
     </message>
     <message>
         <source>smallest</source>
-        <translation type="unfinished"></translation>
+        <translation>menor</translation>
     </message>
     <message>
         <source>mean RP over that of many cycles</source>
-        <translation type="unfinished"></translation>
+        <translation>RP média dividida pela de muitos ciclos</translation>
     </message>
     <message>
         <source>relative u of RP</source>
-        <translation type="unfinished"></translation>
+        <translation>u relativa de RP</translation>
     </message>
     <message>
         <source>conforms</source>
-        <translation type="unfinished"></translation>
+        <translation>conforme</translation>
     </message>
     <message>
         <source>does not conform</source>
-        <translation type="unfinished"></translation>
+        <translation>não conforme</translation>
     </message>
     <message>
         <source>not decided</source>
-        <translation type="unfinished"></translation>
+        <translation>não decidido</translation>
     </message>
     <message>
         <source>rated</source>
-        <translation type="unfinished"></translation>
+        <translation>nominal</translation>
     </message>
     <message>
         <source>probability of conformity</source>
-        <translation type="unfinished"></translation>
+        <translation>probabilidade de conformidade</translation>
     </message>
     <message>
         <source>risk that it is wrong</source>
-        <translation type="unfinished"></translation>
+        <translation>risco de que esteja errada</translation>
     </message>
     <message>
         <source>cycles that would decide</source>
-        <translation type="unfinished"></translation>
+        <translation>ciclos que decidiriam</translation>
     </message>
     <message>
         <source>AP of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>AP de %1</translation>
     </message>
     <message>
         <source>RP of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>RP de %1</translation>
     </message>
     <message>
         <source>U of the instrument over AP of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>U do instrumento dividida por AP de %1</translation>
     </message>
     <message>
         <source>U of the instrument over RP of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>U do instrumento dividida por RP de %1</translation>
     </message>
     <message>
         <source>poses</source>
-        <translation type="unfinished"></translation>
+        <translation>poses</translation>
     </message>
     <message>
         <source>mean AP</source>
-        <translation type="unfinished"></translation>
+        <translation>AP média</translation>
     </message>
     <message>
         <source>largest AP</source>
-        <translation type="unfinished"></translation>
+        <translation>maior AP</translation>
     </message>
     <message>
         <source>quantile of AP for the probability of a decision</source>
-        <translation type="unfinished"></translation>
+        <translation>quantil de AP para a probabilidade de uma decisão</translation>
     </message>
     <message>
         <source>%1 poses are too few to bound this quantile: the largest of %2 poses does, with the same probability.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 poses são poucas demais para limitar este quantil: a maior de %2 poses o limita, com a mesma probabilidade.</translation>
     </message>
     <message>
         <source>two-face: distance of both readings across the beam</source>
-        <translation type="unfinished"></translation>
+        <translation>duas faces: distância de ambas as leituras transversal ao feixe</translation>
     </message>
     <message>
         <source>length; a: scale of the references</source>
-        <translation type="unfinished"></translation>
+        <translation>comprimento; a: escala das referências</translation>
     </message>
     <message>
         <source>decision, ISO 14253-1</source>
-        <translation type="unfinished"></translation>
+        <translation>decisão, ISO 14253-1</translation>
     </message>
     <message>
         <source>scale of the reference lengths</source>
-        <translation type="unfinished"></translation>
+        <translation>escala dos comprimentos de referência</translation>
     </message>
     <message>
         <source>uncertainty of the test</source>
-        <translation type="unfinished"></translation>
+        <translation>incerteza do teste</translation>
     </message>
     <message>
         <source>uncertainty of the test values</source>
-        <translation type="unfinished"></translation>
+        <translation>incerteza dos valores de teste</translation>
     </message>
     <message>
         <source>measured length at position %1</source>
-        <translation type="unfinished"></translation>
+        <translation>comprimento medido na posição %1</translation>
     </message>
     <message>
         <source>distance of both faces at position %1</source>
-        <translation type="unfinished"></translation>
+        <translation>distância de ambas as faces na posição %1</translation>
     </message>
     <message>
         <source>error at position %1</source>
-        <translation type="unfinished"></translation>
+        <translation>erro na posição %1</translation>
     </message>
     <message>
         <source>there are two tests of position &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>há dois testes da posição &apos;%1&apos;</translation>
     </message>
     <message>
         <source>the length at position &apos;%1&apos; has no reference</source>
-        <translation type="unfinished"></translation>
+        <translation>o comprimento na posição &apos;%1&apos; não tem referência</translation>
     </message>
     <message>
         <source>the two-face test of position &apos;%1&apos; has a reference length</source>
-        <translation type="unfinished"></translation>
+        <translation>o teste de duas faces da posição &apos;%1&apos; tem um comprimento de referência</translation>
     </message>
     <message>
         <source>nothing says the MPE of position &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>nada diz o MPE da posição &apos;%1&apos;</translation>
     </message>
     <message>
         <source>The tracker conforms at every position.</source>
-        <translation type="unfinished"></translation>
+        <translation>O laser tracker é conforme em todas as posições.</translation>
     </message>
     <message>
         <source>The tracker does not conform.</source>
-        <translation type="unfinished"></translation>
+        <translation>O laser tracker não é conforme.</translation>
     </message>
     <message>
         <source>Some positions are not decided: the test is not good enough to tell.</source>
-        <translation type="unfinished"></translation>
+        <translation>Algumas posições não estão decididas: o teste não é bom o bastante para dizer.</translation>
     </message>
     <message>
         <source>distance %1</source>
-        <translation type="unfinished"></translation>
+        <translation>distância %1</translation>
     </message>
     <message>
         <source>pose %1</source>
-        <translation type="unfinished"></translation>
+        <translation>pose %1</translation>
     </message>
     <message>
         <source>directions of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>direções de %1</translation>
     </message>
     <message>
         <source>drift of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>deriva de %1</translation>
     </message>
     <message>
         <source>base of the robot</source>
-        <translation type="unfinished"></translation>
+        <translation>base do robô</translation>
     </message>
     <message>
         <source>references</source>
-        <translation type="unfinished"></translation>
+        <translation>referências</translation>
     </message>
     <message>
         <source>tracker</source>
-        <translation type="unfinished"></translation>
+        <translation>laser tracker</translation>
     </message>
     <message>
         <source>&apos;%1&apos; in row %2 of %3 must be %4, not %5: %6</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; na linha %2 de %3 deve ser %4, não %5: %6</translation>
     </message>
     <message>
         <source>%1 must be a number, not %2: %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 deve ser um número, não %2: %3</translation>
     </message>
     <message>
         <source>%1 must be true or false, not %2: %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 deve ser true ou false, não %2: %3</translation>
     </message>
     <message>
         <source>a difference of temperatures is given in %1</source>
-        <translation type="unfinished"></translation>
+        <translation>uma diferença de temperaturas é dada em %1</translation>
     </message>
     <message>
         <source>write true or false, without quotes</source>
-        <translation type="unfinished"></translation>
+        <translation>escreva true ou false, sem aspas</translation>
     </message>
     <message>
         <source>write a text in quotes</source>
-        <translation type="unfinished"></translation>
+        <translation>escreva um texto entre aspas</translation>
     </message>
     <message>
         <source>write it in quotes: &quot;%1&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>escreva-o entre aspas: &quot;%1&quot;</translation>
     </message>
     <message>
         <source>write a number without quotes, such as 0.25, or null where there is none</source>
-        <translation type="unfinished"></translation>
+        <translation>escreva um número sem aspas, como 0.25, ou null onde não há nenhum</translation>
     </message>
     <message>
         <source>write %1, without quotes</source>
-        <translation type="unfinished"></translation>
+        <translation>escreva %1, sem aspas</translation>
     </message>
     <message>
         <source>write a number in %1, the unit of the column, without quotes</source>
-        <translation type="unfinished"></translation>
+        <translation>escreva um número em %1, a unidade da coluna, sem aspas</translation>
     </message>
     <message>
         <source>write %1, without quotes: the unit of the column is %2</source>
-        <translation type="unfinished"></translation>
+        <translation>escreva %1, sem aspas: a unidade da coluna é %2</translation>
     </message>
     <message>
         <source>write %1</source>
-        <translation type="unfinished"></translation>
+        <translation>escreva %1</translation>
     </message>
     <message>
         <source>observations that miss what the others agree on by more than %1 m, and points that nothing tells, are left out, as Gama does</source>
-        <translation type="unfinished"></translation>
+        <translation>observações que se afastam mais de %1 m daquilo em que as outras concordam, e pontos que nada determina, são omitidos, como faz o Gama</translation>
     </message>
     <message>
         <source>the file asks for standard deviations a posteriori: for these choose uncertainties as seen, one factor s_0</source>
-        <translation type="unfinished"></translation>
+        <translation>o arquivo pede desvios-padrão a posteriori: para estes escolha incertezas como observado, um fator s_0</translation>
     </message>
     <message>
         <source>%1: readings are not reduced to an ellipsoid</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: as leituras não são reduzidas a um elipsoide</translation>
     </message>
     <message>
         <source>update-constrained-coordinates: the datum keeps the coordinates of the file</source>
-        <translation type="unfinished"></translation>
+        <translation>update-constrained-coordinates: o datum mantém as coordenadas do arquivo</translation>
     </message>
     <message>
         <source>Accuracy and repeatability, from the cycles as they are</source>
-        <translation type="unfinished"></translation>
+        <translation>Exatidão e repetibilidade, pelos ciclos como são</translation>
     </message>
     <message>
         <source>cycles</source>
-        <translation type="unfinished"></translation>
+        <translation>ciclos</translation>
     </message>
     <message>
         <source>What few cycles do to RP</source>
-        <translation type="unfinished"></translation>
+        <translation>O que poucos ciclos fazem a RP</translation>
     </message>
     <message>
         <source>Conformity with the maker&apos;s figures</source>
-        <translation type="unfinished"></translation>
+        <translation>Conformidade com os números do fabricante</translation>
     </message>
     <message>
         <source>decision</source>
-        <translation type="unfinished"></translation>
+        <translation>decisão</translation>
     </message>
     <message>
         <source>Is the instrument good enough</source>
-        <translation type="unfinished"></translation>
+        <translation>Se o instrumento é bom o bastante</translation>
     </message>
     <message>
         <source>AP over the poses</source>
-        <translation type="unfinished"></translation>
+        <translation>AP sobre as poses</translation>
     </message>
     <message>
         <source>Accuracy and repeatability of the poses</source>
-        <translation type="unfinished"></translation>
+        <translation>Exatidão e repetibilidade das poses</translation>
     </message>
     <message>
         <source>AP, RP</source>
-        <translation type="unfinished"></translation>
+        <translation>AP, RP</translation>
     </message>
     <message>
         <source>AP</source>
-        <translation type="unfinished"></translation>
+        <translation>AP</translation>
     </message>
     <message>
         <source>RP</source>
-        <translation type="unfinished"></translation>
+        <translation>RP</translation>
     </message>
     <message>
         <source>rated AP</source>
-        <translation type="unfinished"></translation>
+        <translation>AP nominal</translation>
     </message>
     <message>
         <source>rated RP</source>
-        <translation type="unfinished"></translation>
+        <translation>RP nominal</translation>
     </message>
     <message>
         <source>Decisions after ISO 14253-1</source>
-        <translation type="unfinished"></translation>
+        <translation>Decisões segundo a ISO 14253-1</translation>
     </message>
 </context>
 <context>
@@ -17742,14 +17742,6 @@ nu 18 atrás de qualquer um deles: graus de liberdade</translation>
     <message>
         <source>stated as</source>
         <translation>declarado como</translation>
-    </message>
-    <message>
-        <source>distribution</source>
-        <translation>distribuição</translation>
-    </message>
-    <message>
-        <source>That Monte Carlo draws</source>
-        <translation>Que Monte Carlo sorteia</translation>
     </message>
     <message>
         <source>type</source>
@@ -18099,18 +18091,26 @@ nu 18 atrás de qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>Kept projects</source>
-        <translation type="unfinished"></translation>
+        <translation>Projetos mantidos</translation>
     </message>
     <message>
         <source>Recover</source>
-        <translation type="unfinished"></translation>
+        <translation>Recuperar</translation>
     </message>
     <message>
         <source>Later</source>
-        <translation type="unfinished"></translation>
+        <translation>Depois</translation>
     </message>
     <message>
         <source>Discard</source>
+        <translation>Descartar</translation>
+    </message>
+    <message>
+        <source>distr.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distribution that Monte Carlo draws</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -18280,7 +18280,7 @@ nu 18 atrás de qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>Show the Field</source>
-        <translation type="unfinished"></translation>
+        <translation>Mostrar o campo</translation>
     </message>
 </context>
 <context>
@@ -20151,11 +20151,11 @@ Nesses lugares ele diz “não declarado”. São campos da página do projeto.<
     <name>covaria::ui::InspectorHead</name>
     <message>
         <source>Entry before</source>
-        <translation type="unfinished"></translation>
+        <translation>Entrada anterior</translation>
     </message>
     <message>
         <source>Entry after</source>
-        <translation type="unfinished"></translation>
+        <translation>Entrada seguinte</translation>
     </message>
     <message>
         <source>Properties</source>
@@ -20163,7 +20163,7 @@ Nesses lugares ele diz “não declarado”. São campos da página do projeto.<
     </message>
     <message>
         <source>Project and documents</source>
-        <translation type="unfinished"></translation>
+        <translation>Projeto e documentos</translation>
     </message>
 </context>
 <context>
@@ -21588,15 +21588,15 @@ It is used by: %1. They will have an error until they use something else.</sourc
     </message>
     <message>
         <source>%1 s left</source>
-        <translation type="unfinished"></translation>
+        <translation>faltam %1 s</translation>
     </message>
     <message>
         <source>%1 min left</source>
-        <translation type="unfinished"></translation>
+        <translation>faltam %1 min</translation>
     </message>
     <message>
         <source>%1 h left</source>
-        <translation type="unfinished"></translation>
+        <translation>faltam %1 h</translation>
     </message>
 </context>
 <context>
@@ -22194,7 +22194,7 @@ It is used by: %1. They will have an error until they use something else.</sourc
     </message>
     <message>
         <source>Show All %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Mostrar os %1</translation>
     </message>
 </context>
 <context>

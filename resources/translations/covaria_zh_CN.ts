@@ -15181,1699 +15181,1699 @@ sample 1; 2; 3 weights 2; 5; 2（按原样抽取），histogram 0; 1; 2 weights 
     </message>
     <message>
         <source>Geometry from points</source>
-        <translation type="unfinished"></translation>
+        <translation>由点求几何要素</translation>
     </message>
     <message>
         <source>Lines, planes, circles, spheres, cylinders and cones through measured points by orthogonal least squares: place, direction, diameter and form deviation with the full covariance of the points.</source>
-        <translation type="unfinished"></translation>
+        <translation>用正交最小二乘法求通过实测点的直线、平面、圆、球、圆柱和圆锥：位置、方向、直径和形状偏差，采用各点的全协方差。</translation>
     </message>
     <message>
         <source>Points weigh alike, whatever their uncertainty, as in least-squares features of coordinate measurement; their covariance goes into the uncertainty of the results.</source>
-        <translation type="unfinished"></translation>
+        <translation>各点的权相同，与其不确定度无关，与坐标测量中的最小二乘要素一样；各点的协方差计入结果的不确定度。</translation>
     </message>
     <message>
         <source>A circle in space is fitted in two steps, as NIST&apos;s: the plane by all points, then the circle by the points projected onto it.</source>
-        <translation type="unfinished"></translation>
+        <translation>空间中的圆分两步拟合，与 NIST 的做法相同：先由所有点得到平面，再由投影到该平面上的点得到圆。</translation>
     </message>
     <message>
         <source>The direction has its largest component positive; that of a cone leads from the apex into it. &quot;Reversed&quot; turns it. Trials keep the sign of the estimates.</source>
-        <translation type="unfinished"></translation>
+        <translation>方向的最大分量为正；圆锥的方向由顶点指向圆锥内部。“反向”使其反转。各次试验保持估计值的符号。</translation>
     </message>
     <message>
         <source>The place of a plane or line is the mean of the points; of a cylinder or cone it is the point of the axis next to that mean, so the uncertainty along the axis is that of the mean.</source>
-        <translation type="unfinished"></translation>
+        <translation>平面或直线的位置为各点的平均值；圆柱或圆锥的位置为轴线上最接近该平均值的点，因此沿轴线的不确定度为该平均值的不确定度。</translation>
     </message>
     <message>
         <source>Every trial of a Monte Carlo run fits its points anew. Form deviations of trials are larger than that of the points as measured, for uncertainty adds to what is form.</source>
-        <translation type="unfinished"></translation>
+        <translation>蒙特卡洛运行的每次试验都重新拟合其各点。试验的形状偏差大于实测点的形状偏差，因为不确定度叠加在形状之上。</translation>
     </message>
     <message>
         <source>Features</source>
-        <translation type="unfinished"></translation>
+        <translation>要素</translation>
     </message>
     <message>
         <source>Forms that are fitted to points by orthogonal least squares.</source>
-        <translation type="unfinished"></translation>
+        <translation>用正交最小二乘法拟合到各点的形状。</translation>
     </message>
     <message>
         <source>Name of the feature, unique.</source>
-        <translation type="unfinished"></translation>
+        <translation>要素的名称，须唯一。</translation>
     </message>
     <message>
         <source>form</source>
-        <translation type="unfinished"></translation>
+        <translation>形状</translation>
     </message>
     <message>
         <source>What is fitted to its points. In the xy-plane z does not matter.</source>
-        <translation type="unfinished"></translation>
+        <translation>对其各点拟合什么。在 xy 平面内时 z 无关紧要。</translation>
     </message>
     <message>
         <source>line</source>
-        <translation type="unfinished"></translation>
+        <translation>直线</translation>
     </message>
     <message>
         <source>circle</source>
-        <translation type="unfinished"></translation>
+        <translation>圆</translation>
     </message>
     <message>
         <source>sphere</source>
-        <translation type="unfinished"></translation>
+        <translation>球</translation>
     </message>
     <message>
         <source>cylinder</source>
-        <translation type="unfinished"></translation>
+        <translation>圆柱</translation>
     </message>
     <message>
         <source>cone</source>
-        <translation type="unfinished"></translation>
+        <translation>圆锥</translation>
     </message>
     <message>
         <source>line in the xy-plane</source>
-        <translation type="unfinished"></translation>
+        <translation>xy 平面内的直线</translation>
     </message>
     <message>
         <source>circle in the xy-plane</source>
-        <translation type="unfinished"></translation>
+        <translation>xy 平面内的圆</translation>
     </message>
     <message>
         <source>reversed</source>
-        <translation type="unfinished"></translation>
+        <translation>反向</translation>
     </message>
     <message>
         <source>The direction is stated with the other sign: the largest component of the direction is negative, that of a cone leads to its apex.</source>
-        <translation type="unfinished"></translation>
+        <translation>方向以相反的符号给出：方向的最大分量为负，圆锥的方向指向其顶点。</translation>
     </message>
     <message>
         <source>Form deviations</source>
-        <translation type="unfinished"></translation>
+        <translation>形状偏差</translation>
     </message>
     <message>
         <source>Peak to valley and root mean square of the points&apos; deviations from their feature are results too.</source>
-        <translation type="unfinished"></translation>
+        <translation>各点相对其要素的偏差的峰谷值和均方根也作为结果。</translation>
     </message>
     <message>
         <source>Measured points of the features, typed, pasted or from a CSV file.</source>
-        <translation type="unfinished"></translation>
+        <translation>要素的实测点，手工输入、粘贴或来自 CSV 文件。</translation>
     </message>
     <message>
         <source>feature</source>
-        <translation type="unfinished"></translation>
+        <translation>要素</translation>
     </message>
     <message>
         <source>The feature that it is a point of; empty: that of the row above, of the first row the first.</source>
-        <translation type="unfinished"></translation>
+        <translation>该点所属的要素；留空：与上一行相同，第一行为第一个要素。</translation>
     </message>
     <message>
         <source>Name of the point, unique in its feature; empty: its number. Of points that an analysis measured the name there.</source>
-        <translation type="unfinished"></translation>
+        <translation>点的名称，在其要素内须唯一；留空：其编号。若为某分析所测的点，则为其在该分析中的名称。</translation>
     </message>
     <message>
         <source>Measured coordinate x; empty where the point is a feature of an analysis, and z in the xy-plane.</source>
-        <translation type="unfinished"></translation>
+        <translation>实测坐标 x；若该点是某分析的要素，则留空；在 xy 平面内 z 也留空。</translation>
     </message>
     <message>
         <source>Measured coordinate y; empty where the point is a feature of an analysis, and z in the xy-plane.</source>
-        <translation type="unfinished"></translation>
+        <translation>实测坐标 y；若该点是某分析的要素，则留空；在 xy 平面内 z 也留空。</translation>
     </message>
     <message>
         <source>Measured coordinate z; empty where the point is a feature of an analysis, and z in the xy-plane.</source>
-        <translation type="unfinished"></translation>
+        <translation>实测坐标 z；若该点是某分析的要素，则留空；在 xy 平面内也留空。</translation>
     </message>
     <message>
         <source>Standard uncertainty of coordinate x of this point; empty: as for all points.</source>
-        <translation type="unfinished"></translation>
+        <translation>该点坐标 x 的标准不确定度；留空：与所有点相同。</translation>
     </message>
     <message>
         <source>Standard uncertainty of coordinate y of this point; empty: as for all points.</source>
-        <translation type="unfinished"></translation>
+        <translation>该点坐标 y 的标准不确定度；留空：与所有点相同。</translation>
     </message>
     <message>
         <source>Standard uncertainty of coordinate z of this point; empty: as for all points.</source>
-        <translation type="unfinished"></translation>
+        <translation>该点坐标 z 的标准不确定度；留空：与所有点相同。</translation>
     </message>
     <message>
         <source>Correlation coefficient of the point&apos;s own x and y.</source>
-        <translation type="unfinished"></translation>
+        <translation>该点自身 x 与 y 的相关系数。</translation>
     </message>
     <message>
         <source>Correlation coefficient of the point&apos;s own x and z.</source>
-        <translation type="unfinished"></translation>
+        <translation>该点自身 x 与 z 的相关系数。</translation>
     </message>
     <message>
         <source>Correlation coefficient of the point&apos;s own y and z.</source>
-        <translation type="unfinished"></translation>
+        <translation>该点自身 y 与 z 的相关系数。</translation>
     </message>
     <message>
         <source>Typed, from the scatter of the points about their feature, or of what measured them: an instrument of the project, or an analysis whose results are points.</source>
-        <translation type="unfinished"></translation>
+        <translation>手工输入，由各点相对其要素的分散性得到，或取自测量这些点的对象：项目中的仪器，或以点为结果的分析。</translation>
     </message>
     <message>
         <source>from the scatter about the feature</source>
-        <translation type="unfinished"></translation>
+        <translation>由相对要素的分散性得到</translation>
     </message>
     <message>
         <source>an instrument or an analysis</source>
-        <translation type="unfinished"></translation>
+        <translation>仪器或分析</translation>
     </message>
     <message>
         <source>Of every coordinate of every point that states none, independent of all others.</source>
-        <translation type="unfinished"></translation>
+        <translation>适用于未给出不确定度的每个点的每个坐标，彼此独立。</translation>
     </message>
     <message>
         <source>Standard uncertainty of a deviation along x that all points share beside their own: where the instrument stands.</source>
-        <translation type="unfinished"></translation>
+        <translation>所有点除各自偏差外共有的沿 x 偏差的标准不确定度：仪器的位置。</translation>
     </message>
     <message>
         <source>Standard uncertainty of a deviation along y that all points share beside their own: where the instrument stands.</source>
-        <translation type="unfinished"></translation>
+        <translation>所有点除各自偏差外共有的沿 y 偏差的标准不确定度：仪器的位置。</translation>
     </message>
     <message>
         <source>Common u of z</source>
-        <translation type="unfinished"></translation>
+        <translation>z 的共同 u</translation>
     </message>
     <message>
         <source>Standard uncertainty of a deviation along z that all points share beside their own: where the instrument stands.</source>
-        <translation type="unfinished"></translation>
+        <translation>所有点除各自偏差外共有的沿 z 偏差的标准不确定度：仪器的位置。</translation>
     </message>
     <message>
         <source>Measured by</source>
-        <translation type="unfinished"></translation>
+        <translation>测量者</translation>
     </message>
     <message>
         <source>An instrument that stands somewhere, whose scale and station are alike for all points; or an analysis, whose points are known by their names and are evaluated with this one in every trial.</source>
-        <translation type="unfinished"></translation>
+        <translation>设于某处的仪器，其尺度和测站对所有点相同；或一个分析，其各点由名称识别，并在每次试验中与本分析一起评定。</translation>
     </message>
     <message>
         <source>Relation of features</source>
-        <translation type="unfinished"></translation>
+        <translation>要素之间的关系</translation>
     </message>
     <message>
         <source>Distances, angles, intersections and frames of features and points that other analyses measured, or that are typed.</source>
-        <translation type="unfinished"></translation>
+        <translation>要素和点之间的距离、角度、交点、交线以及由其建立的坐标系；要素和点由其他分析测得，或由手工输入。</translation>
     </message>
     <message>
         <source>Features are evaluated with the relations as one model in every trial: what two features have in common, as the station of their instrument, cancels where it cancels.</source>
-        <translation type="unfinished"></translation>
+        <translation>在每次试验中，要素与关系作为一个模型一起评定：两个要素的共有部分（如其仪器的测站）在可抵消之处相互抵消。</translation>
     </message>
     <message>
         <source>A direction is that of the feature, with its sign: of a plane the normal. The angle of a line and a plane is 90° less the angle of their directions.</source>
-        <translation type="unfinished"></translation>
+        <translation>方向为要素的方向，带符号：平面为其法线。直线与平面的夹角为 90° 减去两者方向的夹角。</translation>
     </message>
     <message>
         <source>The angle of nearly parallel directions is never negative, so its estimate is too large where its uncertainty is not small; tilts have signs and no such bias.</source>
-        <translation type="unfinished"></translation>
+        <translation>接近平行的两方向的夹角永不为负，因此当其不确定度不小时，其估计值偏大；倾斜带符号，没有这种偏移。</translation>
     </message>
     <message>
         <source>A frame&apos;s angles are those of Z-Y-X: R = Rz(γ) Ry(β) Rx(α).</source>
-        <translation type="unfinished"></translation>
+        <translation>坐标系的角度按 Z-Y-X：R = Rz(γ) Ry(β) Rx(α)。</translation>
     </message>
     <message>
         <source>Results of analyses (features, targets, frames&apos; origins), or typed ones, such as the direction of gravity.</source>
-        <translation type="unfinished"></translation>
+        <translation>分析的结果（要素、目标点、坐标系原点），或手工输入的结果，如重力方向。</translation>
     </message>
     <message>
         <source>Name of the feature here, unique.</source>
-        <translation type="unfinished"></translation>
+        <translation>要素在此处的名称，须唯一。</translation>
     </message>
     <message>
         <source>The analysis whose result it is; empty: place and direction are typed.</source>
-        <translation type="unfinished"></translation>
+        <translation>结果所属的分析；留空：位置和方向由手工输入。</translation>
     </message>
     <message>
         <source>Its name in that analysis: a feature, a target, &quot;apex of C1&quot;; empty: the name here.</source>
-        <translation type="unfinished"></translation>
+        <translation>其在该分析中的名称：要素、目标点、&quot;apex of C1&quot;；留空：此处的名称。</translation>
     </message>
     <message>
         <source>Typed coordinate x; empty: 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>输入的坐标 x；留空：0。</translation>
     </message>
     <message>
         <source>Typed coordinate y; empty: 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>输入的坐标 y；留空：0。</translation>
     </message>
     <message>
         <source>Typed coordinate z; empty: 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>输入的坐标 z；留空：0。</translation>
     </message>
     <message>
         <source>Typed direction, component x, of any length; empty: it has none.</source>
-        <translation type="unfinished"></translation>
+        <translation>输入的方向，分量 x，长度任意；留空：没有方向。</translation>
     </message>
     <message>
         <source>Typed direction, component y, of any length; empty: it has none.</source>
-        <translation type="unfinished"></translation>
+        <translation>输入的方向，分量 y，长度任意；留空：没有方向。</translation>
     </message>
     <message>
         <source>Typed direction, component z, of any length; empty: it has none.</source>
-        <translation type="unfinished"></translation>
+        <translation>输入的方向，分量 z，长度任意；留空：没有方向。</translation>
     </message>
     <message>
         <source>Standard uncertainty of each typed coordinate; empty: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>每个输入坐标的标准不确定度；留空：无。</translation>
     </message>
     <message>
         <source>Standard uncertainty of the typed direction, of two tilts across it; empty: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>输入方向的标准不确定度，即垂直于该方向的两个倾斜的标准不确定度；留空：无。</translation>
     </message>
     <message>
         <source>Relations</source>
-        <translation type="unfinished"></translation>
+        <translation>关系</translation>
     </message>
     <message>
         <source>Distances, angles, intersections and frames of the features.</source>
-        <translation type="unfinished"></translation>
+        <translation>要素的距离、角度、交点、交线和坐标系。</translation>
     </message>
     <message>
         <source>Name of the result, unique.</source>
-        <translation type="unfinished"></translation>
+        <translation>结果的名称，须唯一。</translation>
     </message>
     <message>
         <source>relation</source>
-        <translation type="unfinished"></translation>
+        <translation>关系</translation>
     </message>
     <message>
         <source>What is wanted of the features.</source>
-        <translation type="unfinished"></translation>
+        <translation>由要素求什么。</translation>
     </message>
     <message>
         <source>distance of two places</source>
-        <translation type="unfinished"></translation>
+        <translation>两个位置的距离</translation>
     </message>
     <message>
         <source>distance of a place from a plane</source>
-        <translation type="unfinished"></translation>
+        <translation>位置到平面的距离</translation>
     </message>
     <message>
         <source>distance of a place from a line</source>
-        <translation type="unfinished"></translation>
+        <translation>位置到直线的距离</translation>
     </message>
     <message>
         <source>distance of two lines</source>
-        <translation type="unfinished"></translation>
+        <translation>两直线的距离</translation>
     </message>
     <message>
         <source>angle of two directions</source>
-        <translation type="unfinished"></translation>
+        <translation>两方向的夹角</translation>
     </message>
     <message>
         <source>tilts of a direction against another</source>
-        <translation type="unfinished"></translation>
+        <translation>一个方向相对另一方向的倾斜</translation>
     </message>
     <message>
         <source>middle of two places</source>
-        <translation type="unfinished"></translation>
+        <translation>两个位置的中点</translation>
     </message>
     <message>
         <source>foot of a place on a plane</source>
-        <translation type="unfinished"></translation>
+        <translation>位置在平面上的垂足</translation>
     </message>
     <message>
         <source>foot of a place on a line</source>
-        <translation type="unfinished"></translation>
+        <translation>位置在直线上的垂足</translation>
     </message>
     <message>
         <source>intersection of a line and a plane</source>
-        <translation type="unfinished"></translation>
+        <translation>直线与平面的交点</translation>
     </message>
     <message>
         <source>intersection of two lines</source>
-        <translation type="unfinished"></translation>
+        <translation>两直线的交点</translation>
     </message>
     <message>
         <source>intersection of three planes</source>
-        <translation type="unfinished"></translation>
+        <translation>三平面的交点</translation>
     </message>
     <message>
         <source>line of two planes</source>
-        <translation type="unfinished"></translation>
+        <translation>两平面的交线</translation>
     </message>
     <message>
         <source>frame: origin, z, x</source>
-        <translation type="unfinished"></translation>
+        <translation>坐标系：原点、z、x</translation>
     </message>
     <message>
         <source>frame: origin on a plane, its normal z, x</source>
-        <translation type="unfinished"></translation>
+        <translation>坐标系：平面上的原点、其法线 z、x</translation>
     </message>
     <message>
         <source>A feature: the place, line or plane that is asked about; of a frame its origin.</source>
-        <translation type="unfinished"></translation>
+        <translation>一个要素：所求的位置、直线或平面；对坐标系为其原点。</translation>
     </message>
     <message>
         <source>Another one: what it is related to; of a frame the direction of z.</source>
-        <translation type="unfinished"></translation>
+        <translation>另一个要素：与之相关的要素；对坐标系为 z 的方向。</translation>
     </message>
     <message>
         <source>third</source>
-        <translation type="unfinished"></translation>
+        <translation>第三</translation>
     </message>
     <message>
         <source>A third one: the third plane; of a frame and of tilts what x points to, along its direction if it has one, else towards its place.</source>
-        <translation type="unfinished"></translation>
+        <translation>第三个要素：第三个平面；对坐标系和倾斜为 x 所指的要素：若其有方向则沿其方向，否则指向其位置。</translation>
     </message>
     <message>
         <source>Distance meter on a baseline</source>
-        <translation type="unfinished"></translation>
+        <translation>基线上的测距仪</translation>
     </message>
     <message>
         <source>Zero offset and standard deviation of a distance meter from distances between all pairs of pillars on a line, with their uncertainties, and the statistical tests of ISO 17123-4; its scale, where lengths of the baseline are known.</source>
-        <translation type="unfinished"></translation>
+        <translation>由一条直线上所有观测墩两两之间的距离求测距仪的零点偏移和标准偏差及其不确定度，并按 ISO 17123-4 进行统计检验；若基线的长度已知，还求其尺度。</translation>
     </message>
     <message>
         <source>All pairs of n pillars, read once each: the cofactor of the zero offset is 6/((n − 1)(n − 2)) whatever the lengths, and there are n (n − 1)/2 − n degrees of freedom.</source>
-        <translation type="unfinished"></translation>
+        <translation>n 个观测墩两两组合，各读一次：无论长度如何，零点偏移的协因数为 6/((n − 1)(n − 2))，自由度为 n (n − 1)/2 − n。</translation>
     </message>
     <message>
         <source>Limits of the tests are quantiles of chi-squared, F and t for the degrees of freedom that the readings have, not figures of a table.</source>
-        <translation type="unfinished"></translation>
+        <translation>检验的界限为读数所具有的自由度下的卡方、F 和 t 分位数，而不是表格中的数值。</translation>
     </message>
     <message>
         <source>Any set of readings that tells the unknowns is adjusted, also one with pairs left out or repeated; readings that repeat without the instrument set up anew agree better than the instrument does.</source>
-        <translation type="unfinished"></translation>
+        <translation>凡能确定未知数的任何一组读数均可平差，包括缺少某些组合或有重复的；未重新安置仪器的重复读数之间的一致性好于仪器本身。</translation>
     </message>
     <message>
         <source>Distances count with equal weights.</source>
-        <translation type="unfinished"></translation>
+        <translation>距离按等权计。</translation>
     </message>
     <message>
         <source>Distances between pillars that stand on a line, best of all pairs, each with the instrument set up anew.</source>
-        <translation type="unfinished"></translation>
+        <translation>同一直线上各观测墩之间的距离，最好为所有两两组合，每次均重新安置仪器。</translation>
     </message>
     <message>
         <source>Pillar of the instrument.</source>
-        <translation type="unfinished"></translation>
+        <translation>仪器所在的观测墩。</translation>
     </message>
     <message>
         <source>Pillar of the reflector.</source>
-        <translation type="unfinished"></translation>
+        <translation>反射器所在的观测墩。</translation>
     </message>
     <message>
         <source>As read, with the correction for the atmosphere and without one for the zero.</source>
-        <translation type="unfinished"></translation>
+        <translation>读数值，已作大气改正，未作零点改正。</translation>
     </message>
     <message>
         <source>Of the reflector above the instrument, where the distance is a slope distance; empty: it is horizontal.</source>
-        <translation type="unfinished"></translation>
+        <translation>反射器高于仪器的高差，用于距离为斜距的情形；留空：距离为平距。</translation>
     </message>
     <message>
         <source>Tests</source>
-        <translation type="unfinished"></translation>
+        <translation>检验</translation>
     </message>
     <message>
         <source>σ, stated or wanted</source>
-        <translation type="unfinished"></translation>
+        <translation>σ，给出的或所需的</translation>
     </message>
     <message>
         <source>Standard deviation of one distance that test a holds s against: of the maker, or what a job needs. Empty: no test a.</source>
-        <translation type="unfinished"></translation>
+        <translation>检验 a 用以与 s 比较的单次距离的标准偏差：制造商的值，或任务所需的值。留空：不作检验 a。</translation>
     </message>
     <message>
         <source>s of another campaign</source>
-        <translation type="unfinished"></translation>
+        <translation>另一次测试的 s</translation>
     </message>
     <message>
         <source>Experimental standard deviation that test b compares s with: of another instrument or day. Empty: no test b.</source>
-        <translation type="unfinished"></translation>
+        <translation>检验 b 用以与 s 比较的实验标准偏差：另一台仪器或另一天的值。留空：不作检验 b。</translation>
     </message>
     <message>
         <source>Its degrees of freedom</source>
-        <translation type="unfinished"></translation>
+        <translation>其自由度</translation>
     </message>
     <message>
         <source>Of the s of the other campaign: 14 for all pairs of seven pillars.</source>
-        <translation type="unfinished"></translation>
+        <translation>另一次测试的 s 的自由度：七个观测墩的所有两两组合时为 14。</translation>
     </message>
     <message>
         <source>Probability of the tests</source>
-        <translation type="unfinished"></translation>
+        <translation>检验的概率</translation>
     </message>
     <message>
         <source>1 − α: an instrument that is as good as stated passes a test with this probability.</source>
-        <translation type="unfinished"></translation>
+        <translation>1 − α：与给出值同样好的仪器以此概率通过检验。</translation>
     </message>
     <message>
         <source>Scale</source>
-        <translation type="unfinished"></translation>
+        <translation>尺度</translation>
     </message>
     <message>
         <source>Scale correction</source>
-        <translation type="unfinished"></translation>
+        <translation>尺度改正</translation>
     </message>
     <message>
         <source>Readings alone say nothing of it: it needs lengths of the baseline that are known better.</source>
-        <translation type="unfinished"></translation>
+        <translation>仅凭读数无法得知：需要更准确已知的基线长度。</translation>
     </message>
     <message>
         <source>not asked for</source>
-        <translation type="unfinished"></translation>
+        <translation>不求</translation>
     </message>
     <message>
         <source>by reference lengths</source>
-        <translation type="unfinished"></translation>
+        <translation>由参考长度</translation>
     </message>
     <message>
         <source>Reference lengths</source>
-        <translation type="unfinished"></translation>
+        <translation>参考长度</translation>
     </message>
     <message>
         <source>Horizontal lengths from the pillar where the line begins, of a certificate.</source>
-        <translation type="unfinished"></translation>
+        <translation>从基线起点观测墩起算的水平长度，取自证书。</translation>
     </message>
     <message>
         <source>pillar</source>
-        <translation type="unfinished"></translation>
+        <translation>观测墩</translation>
     </message>
     <message>
         <source>As in the readings.</source>
-        <translation type="unfinished"></translation>
+        <translation>与读数中相同。</translation>
     </message>
     <message>
         <source>From the pillar where the line begins.</source>
-        <translation type="unfinished"></translation>
+        <translation>从基线起点观测墩起算。</translation>
     </message>
     <message>
         <source>Standard uncertainty of this length alone, beside what all share; empty: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>仅该长度的标准不确定度，不含所有长度共有的部分；留空：无。</translation>
     </message>
     <message>
         <source>u of the baseline&apos;s scale</source>
-        <translation type="unfinished"></translation>
+        <translation>基线尺度的 u</translation>
     </message>
     <message>
         <source>Relative standard uncertainty that all reference lengths share.</source>
-        <translation type="unfinished"></translation>
+        <translation>所有参考长度共有的相对标准不确定度。</translation>
     </message>
     <message>
         <source>u of the correction for the atmosphere</source>
-        <translation type="unfinished"></translation>
+        <translation>大气改正的 u</translation>
     </message>
     <message>
         <source>Relative standard uncertainty that all readings share: 1 °C or 3.5 hPa are about 1 ppm.</source>
-        <translation type="unfinished"></translation>
+        <translation>所有读数共有的相对标准不确定度：1 °C 或 3.5 hPa 约为 1 ppm。</translation>
     </message>
     <message>
         <source>Planes, circles, axes and balls through measured points, with form deviations.</source>
-        <translation type="unfinished"></translation>
+        <translation>通过实测点的平面、圆、轴线和球，含形状偏差。</translation>
     </message>
     <message>
         <source>Frame, distances and angles of features</source>
-        <translation type="unfinished"></translation>
+        <translation>要素的坐标系、距离和角度</translation>
     </message>
     <message>
         <source>A frame as shops make it of a face, a bore and a hole, and where other features are from it.</source>
-        <translation type="unfinished"></translation>
+        <translation>按车间的做法由一个端面、一个中心孔和一个销孔建立的坐标系，以及其他要素在其中的位置。</translation>
     </message>
     <message>
         <source>Zero offset and standard deviation of a distance meter, with the tests of ISO 17123-4.</source>
-        <translation type="unfinished"></translation>
+        <translation>测距仪的零点偏移和标准偏差，含 ISO 17123-4 的检验。</translation>
     </message>
     <message>
         <source>Total station on a baseline of seven pillars</source>
-        <translation type="unfinished"></translation>
+        <translation>七墩基线上的全站仪</translation>
     </message>
     <message>
         <source>The distance meter of a total station, tested after ISO 17123-4 with distances between all pairs of seven pillars.</source>
-        <translation type="unfinished"></translation>
+        <translation>全站仪的测距仪，按 ISO 17123-4 用七个观测墩两两之间的距离进行检验。</translation>
     </message>
     <message>
         <source>Flange and tool of a robot, from measured points</source>
-        <translation type="unfinished"></translation>
+        <translation>由实测点求机器人的法兰和工具</translation>
     </message>
     <message>
         <source>A laser tracker probed the flange of a robot: its face, its bore, a dowel hole, the shank of a tool and the ball at its tip.</source>
-        <translation type="unfinished"></translation>
+        <translation>激光跟踪仪探测了机器人的法兰：其端面、中心孔、一个销孔、工具的柄部和工具尖端的球。</translation>
     </message>
     <message>
         <source>Form deviations of a turned part</source>
-        <translation type="unfinished"></translation>
+        <translation>车削件的形状偏差</translation>
     </message>
     <message>
         <source>A coordinate measuring machine probed a seat, a taper, a face and a groove.</source>
-        <translation type="unfinished"></translation>
+        <translation>坐标测量机探测了一个配合面、一个锥面、一个端面和一个槽。</translation>
     </message>
     <message>
         <source>%1, point %2, coordinate %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1，点 %2，坐标 %3</translation>
     </message>
     <message>
         <source>common deviation of all points along %1</source>
-        <translation type="unfinished"></translation>
+        <translation>所有点沿 %1 的共同偏差</translation>
     </message>
     <message>
         <source>scatter of the points of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的点的分散性</translation>
     </message>
     <message>
         <source>residuals of %1 points about %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 个点相对 %2 的残差</translation>
     </message>
     <message>
         <source>an instrument measures points in space; &apos;%1&apos; lies in the xy-plane: state the uncertainty of its points</source>
-        <translation type="unfinished"></translation>
+        <translation>仪器测量空间中的点；&apos;%1&apos; 在 xy 平面内：请给出其点的不确定度</translation>
     </message>
     <message>
         <source>orthogonal distances of the points from the feature</source>
-        <translation type="unfinished"></translation>
+        <translation>点到要素的正交距离</translation>
     </message>
     <message>
         <source>circle in its plane, cylinder</source>
-        <translation type="unfinished"></translation>
+        <translation>所在平面内的圆、圆柱</translation>
     </message>
     <message>
         <source>cone, half angle φ</source>
-        <translation type="unfinished"></translation>
+        <translation>圆锥，半角 φ</translation>
     </message>
     <message>
         <source>form deviations of m points</source>
-        <translation type="unfinished"></translation>
+        <translation>m 个点的形状偏差</translation>
     </message>
     <message>
         <source>two features are called &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>有两个要素名为 &apos;%1&apos;</translation>
     </message>
     <message>
         <source>%1 has no feature called &apos;%2&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 没有名为 &apos;%2&apos; 的要素</translation>
     </message>
     <message>
         <source>%1 has no value</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 没有值</translation>
     </message>
     <message>
         <source>the direction of &apos;%1&apos; is zero</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; 的方向为零</translation>
     </message>
     <message>
         <source>typed coordinate</source>
-        <translation type="unfinished"></translation>
+        <translation>输入的坐标</translation>
     </message>
     <message>
         <source>tilt of the typed direction</source>
-        <translation type="unfinished"></translation>
+        <translation>输入方向的倾斜</translation>
     </message>
     <message>
         <source>%1, direction along %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1，沿 %2 的方向</translation>
     </message>
     <message>
         <source>two relations are called &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>有两个关系名为 &apos;%1&apos;</translation>
     </message>
     <message>
         <source>&apos;%1&apos; takes two features; leave the third empty</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; 取两个要素；第三个请留空</translation>
     </message>
     <message>
         <source>&apos;%1&apos; needs three features</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; 需要三个要素</translation>
     </message>
     <message>
         <source>there is no feature &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>没有要素 &apos;%1&apos;</translation>
     </message>
     <message>
         <source>&apos;%1&apos; has no direction, which &apos;%2&apos; needs</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%2&apos; 需要方向，而 &apos;%1&apos; 没有方向</translation>
     </message>
     <message>
         <source>%1, distance</source>
-        <translation type="unfinished"></translation>
+        <translation>%1，距离</translation>
     </message>
     <message>
         <source>%1, angle</source>
-        <translation type="unfinished"></translation>
+        <translation>%1，角度</translation>
     </message>
     <message>
         <source>%1, tilt towards x</source>
-        <translation type="unfinished"></translation>
+        <translation>%1，向 x 的倾斜</translation>
     </message>
     <message>
         <source>%1, tilt towards y</source>
-        <translation type="unfinished"></translation>
+        <translation>%1，向 y 的倾斜</translation>
     </message>
     <message>
         <source>%1, rotation about %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1，绕 %2 的旋转</translation>
     </message>
     <message>
         <source>the two places are the same</source>
-        <translation type="unfinished"></translation>
+        <translation>两个位置相同</translation>
     </message>
     <message>
         <source>the place is on the line</source>
-        <translation type="unfinished"></translation>
+        <translation>该位置在直线上</translation>
     </message>
     <message>
         <source>the two are parallel</source>
-        <translation type="unfinished"></translation>
+        <translation>两者平行</translation>
     </message>
     <message>
         <source>the directions are parallel: ask for tilts, which have a sign</source>
-        <translation type="unfinished"></translation>
+        <translation>两方向平行：请改求带符号的倾斜</translation>
     </message>
     <message>
         <source>the line is parallel to the plane</source>
-        <translation type="unfinished"></translation>
+        <translation>直线与平面平行</translation>
     </message>
     <message>
         <source>the three planes have no common point</source>
-        <translation type="unfinished"></translation>
+        <translation>三个平面没有公共点</translation>
     </message>
     <message>
         <source>x and z are parallel</source>
-        <translation type="unfinished"></translation>
+        <translation>x 与 z 平行</translation>
     </message>
     <message>
         <source>&apos;%1&apos;: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos;：%2</translation>
     </message>
     <message>
         <source>elementary geometry; p places, n unit directions of the first, second, third</source>
-        <translation type="unfinished"></translation>
+        <translation>初等几何；p 为位置，n 为第一、第二、第三个要素的单位方向</translation>
     </message>
     <message>
         <source>from a plane; from a line the length across n₂</source>
-        <translation type="unfinished"></translation>
+        <translation>到平面；到直线时为垂直于 n₂ 的长度</translation>
     </message>
     <message>
         <source>between lines</source>
-        <translation type="unfinished"></translation>
+        <translation>两直线之间</translation>
     </message>
     <message>
         <source>tilts, z = n₂</source>
-        <translation type="unfinished"></translation>
+        <translation>倾斜，z = n₂</translation>
     </message>
     <message>
         <source>frames, v of the third</source>
-        <translation type="unfinished"></translation>
+        <translation>坐标系，v 属于第三个要素</translation>
     </message>
     <message>
         <source>centre of %1, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的中心，%2</translation>
     </message>
     <message>
         <source>point on the axis of %1, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 轴线上的点，%2</translation>
     </message>
     <message>
         <source>place of %1, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的位置，%2</translation>
     </message>
     <message>
         <source>point on %1, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 上的点，%2</translation>
     </message>
     <message>
         <source>normal of %1, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的法线，%2</translation>
     </message>
     <message>
         <source>direction of the axis of %1, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的轴线方向，%2</translation>
     </message>
     <message>
         <source>direction of %1, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的方向，%2</translation>
     </message>
     <message>
         <source>flatness deviation of %1, peak to valley</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的平面度偏差，峰谷值</translation>
     </message>
     <message>
         <source>straightness deviation of %1, peak to valley</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的直线度偏差，峰谷值</translation>
     </message>
     <message>
         <source>roundness deviation of %1, peak to valley</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的圆度偏差，峰谷值</translation>
     </message>
     <message>
         <source>cylindricity deviation of %1, peak to valley</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的圆柱度偏差，峰谷值</translation>
     </message>
     <message>
         <source>form deviation of %1, peak to valley</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的形状偏差，峰谷值</translation>
     </message>
     <message>
         <source>diameter of %1 at its point</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 在其点处的直径</translation>
     </message>
     <message>
         <source>diameter of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的直径</translation>
     </message>
     <message>
         <source>angle of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的角度</translation>
     </message>
     <message>
         <source>form deviation of %1, root mean square</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的形状偏差，均方根</translation>
     </message>
     <message>
         <source>apex of %1, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的顶点，%2</translation>
     </message>
     <message>
         <source>two points of &apos;%1&apos; are called &apos;%2&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; 有两个点名为 &apos;%2&apos;</translation>
     </message>
     <message>
         <source>%1 has no point called &apos;%2&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 没有名为 &apos;%2&apos; 的点</translation>
     </message>
     <message>
         <source>point &apos;%1&apos; has no coordinate %2</source>
-        <translation type="unfinished"></translation>
+        <translation>点 &apos;%1&apos; 没有坐标 %2</translation>
     </message>
     <message>
         <source>&apos;%1&apos; has %2 points; a %3 needs %4 or more</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; 有 %2 个点；%3需要 %4 个或更多</translation>
     </message>
     <message>
         <source>the %1 points of &apos;%2&apos; do not scatter: with so few the form goes through all of them; add points, or state their uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%2&apos; 的 %1 个点没有分散性：点数如此少时，拟合的形状通过所有点；请增加点，或给出其不确定度</translation>
     </message>
     <message>
         <source>the points of &apos;%1&apos;: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; 的点：%2</translation>
     </message>
     <message>
         <source>the points of &apos;%1&apos; lie exactly on it: their scatter says nothing of their uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; 的点恰好都在其上：其分散性不能说明其不确定度</translation>
     </message>
     <message>
         <source>they are so nearly flat or straight that they determine no radius</source>
-        <translation type="unfinished"></translation>
+        <translation>它们过于接近平面或直线，无法确定半径</translation>
     </message>
     <message>
         <source>no %1 that fits them was found</source>
-        <translation type="unfinished"></translation>
+        <translation>找不到与之吻合的%1</translation>
     </message>
     <message>
         <source>all of them are the same</source>
-        <translation type="unfinished"></translation>
+        <translation>它们全部相同</translation>
     </message>
     <message>
         <source>they are too far from each other</source>
-        <translation type="unfinished"></translation>
+        <translation>它们彼此相距过远</translation>
     </message>
     <message>
         <source>they lie on a straight line</source>
-        <translation type="unfinished"></translation>
+        <translation>它们在一条直线上</translation>
     </message>
     <message>
         <source>they lie on a plane</source>
-        <translation type="unfinished"></translation>
+        <translation>它们在一个平面上</translation>
     </message>
     <message>
         <source>How well the points determine the features</source>
-        <translation type="unfinished"></translation>
+        <translation>各点对要素的确定程度</translation>
     </message>
     <message>
         <source>at a standard deviation of 1 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>标准偏差为 1 mm 时</translation>
     </message>
     <message>
         <source>at the scatter of the points</source>
-        <translation type="unfinished"></translation>
+        <translation>按各点的分散性</translation>
     </message>
     <message>
         <source>Standard uncertainties that independent deviations of all coordinates alike would give, first with a standard deviation of 1 mm: they depend on where the points are alone. Places and tilts are along the directions in which they are largest and smallest.</source>
-        <translation type="unfinished"></translation>
+        <translation>所有坐标独立且同等的偏差所给出的标准不确定度，首先按标准偏差 1 mm：它们只取决于点的位置。位置和倾斜取其最大和最小的方向。</translation>
     </message>
     <message>
         <source>place across the axis</source>
-        <translation type="unfinished"></translation>
+        <translation>垂直于轴线的位置</translation>
     </message>
     <message>
         <source>place</source>
-        <translation type="unfinished"></translation>
+        <translation>位置</translation>
     </message>
     <message>
         <source>offset across the line</source>
-        <translation type="unfinished"></translation>
+        <translation>垂直于直线的偏移</translation>
     </message>
     <message>
         <source>offset along the normal</source>
-        <translation type="unfinished"></translation>
+        <translation>沿法线的偏移</translation>
     </message>
     <message>
         <source>diameter</source>
-        <translation type="unfinished"></translation>
+        <translation>直径</translation>
     </message>
     <message>
         <source>angle of the cone</source>
-        <translation type="unfinished"></translation>
+        <translation>圆锥的角度</translation>
     </message>
     <message>
         <source>correlation of diameter and centre along the middle of the arc</source>
-        <translation type="unfinished"></translation>
+        <translation>直径与沿圆弧中点方向的圆心的相关</translation>
     </message>
     <message>
         <source>angle to both sides of that middle within which the points are</source>
-        <translation type="unfinished"></translation>
+        <translation>各点所在范围：以该中点为准，两侧的角度</translation>
     </message>
     <message>
         <source>Features and the scatter of their points</source>
-        <translation type="unfinished"></translation>
+        <translation>要素及其点的分散性</translation>
     </message>
     <message>
         <source>largest deviation</source>
-        <translation type="unfinished"></translation>
+        <translation>最大偏差</translation>
     </message>
     <message>
         <source>s is the root of the sum of squares of the deviations over the degrees of freedom.</source>
-        <translation type="unfinished"></translation>
+        <translation>s 为偏差平方和除以自由度后的平方根。</translation>
     </message>
     <message>
         <source>Deviations of the points from their features</source>
-        <translation type="unfinished"></translation>
+        <translation>各点相对其要素的偏差</translation>
     </message>
     <message>
         <source>above the plane of the circle</source>
-        <translation type="unfinished"></translation>
+        <translation>高于圆所在平面</translation>
     </message>
     <message>
         <source>Positive outside of a circle, sphere, cylinder or cone and on the side of a plane to which its normal points; of a line in space the distance.</source>
-        <translation type="unfinished"></translation>
+        <translation>在圆、球、圆柱或圆锥外侧为正，在平面法线所指一侧为正；对空间中的直线为距离。</translation>
     </message>
     <message>
         <source>the points of &apos;%1&apos; are within %2° of the middle of their arc: its diameter has %3 times the standard uncertainty of a coordinate and correlates with the place of the centre by %4</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; 的点位于其圆弧中点两侧 %2° 以内：其直径的标准不确定度为坐标的 %3 倍，与圆心位置的相关系数为 %4</translation>
     </message>
     <message>
         <source>apex of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的顶点</translation>
     </message>
     <message>
         <source>all pairs of pillars, ISO 17123-4</source>
-        <translation type="unfinished"></translation>
+        <translation>观测墩的所有两两组合，ISO 17123-4</translation>
     </message>
     <message>
         <source>N distances between n pillars; JCGM 100 H.3.2</source>
-        <translation type="unfinished"></translation>
+        <translation>n 个观测墩间的 N 个距离；JCGM 100 H.3.2</translation>
     </message>
     <message>
         <source>JCGM 100 E.4.3</source>
-        <translation type="unfinished"></translation>
+        <translation>JCGM 100 E.4.3</translation>
     </message>
     <message>
         <source>scale, by the reference lengths L_j</source>
-        <translation type="unfinished"></translation>
+        <translation>尺度，由参考长度 L_j 得到</translation>
     </message>
     <message>
         <source>scatter of the distances</source>
-        <translation type="unfinished"></translation>
+        <translation>距离的分散性</translation>
     </message>
     <message>
         <source>least squares, residuals of %1 distances</source>
-        <translation type="unfinished"></translation>
+        <translation>最小二乘，%1 个距离的残差</translation>
     </message>
     <message>
         <source>zero offset</source>
-        <translation type="unfinished"></translation>
+        <translation>零点偏移</translation>
     </message>
     <message>
         <source>place of pillar %1</source>
-        <translation type="unfinished"></translation>
+        <translation>观测墩 %1 的位置</translation>
     </message>
     <message>
         <source>standard deviation of one distance</source>
-        <translation type="unfinished"></translation>
+        <translation>单次距离的标准偏差</translation>
     </message>
     <message>
         <source>few degrees of freedom of s</source>
-        <translation type="unfinished"></translation>
+        <translation>s 的自由度过少</translation>
     </message>
     <message>
         <source>reference lengths and their conditions</source>
-        <translation type="unfinished"></translation>
+        <translation>参考长度及其条件</translation>
     </message>
     <message>
         <source>scale of the readings by the atmosphere</source>
-        <translation type="unfinished"></translation>
+        <translation>大气引起的读数尺度</translation>
     </message>
     <message>
         <source>correction for the atmosphere</source>
-        <translation type="unfinished"></translation>
+        <translation>大气改正</translation>
     </message>
     <message>
         <source>scale of the baseline</source>
-        <translation type="unfinished"></translation>
+        <translation>基线的尺度</translation>
     </message>
     <message>
         <source>reference length of pillar %1</source>
-        <translation type="unfinished"></translation>
+        <translation>观测墩 %1 的参考长度</translation>
     </message>
     <message>
         <source>reference length</source>
-        <translation type="unfinished"></translation>
+        <translation>参考长度</translation>
     </message>
     <message>
         <source>zero offset, added to a reading</source>
-        <translation type="unfinished"></translation>
+        <translation>零点偏移，加到读数上</translation>
     </message>
     <message>
         <source>scale correction, times a reading</source>
-        <translation type="unfinished"></translation>
+        <translation>尺度改正，乘以读数</translation>
     </message>
     <message>
         <source>the readings do not tell the zero offset from the lengths: some line of three pillars must be read whole and in parts</source>
-        <translation type="unfinished"></translation>
+        <translation>读数无法区分零点偏移与长度：必须有三个观测墩所成的直线，既整段读取又分段读取</translation>
     </message>
     <message>
         <source>a distance from pillar &apos;%1&apos; to itself</source>
-        <translation type="unfinished"></translation>
+        <translation>从观测墩 &apos;%1&apos; 到其自身的距离</translation>
     </message>
     <message>
         <source>the height difference in row %1 is not shorter than the slope distance</source>
-        <translation type="unfinished"></translation>
+        <translation>第 %1 行中的高差不小于斜距</translation>
     </message>
     <message>
         <source>a zero offset needs distances between three pillars or more</source>
-        <translation type="unfinished"></translation>
+        <translation>零点偏移需要三个或更多观测墩之间的距离</translation>
     </message>
     <message>
         <source>%1 distances for %2 lengths and the zero offset leave nothing that would tell the scatter: read more pairs of pillars</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 个距离求 %2 个长度和零点偏移，没有余量可确定分散性：请读取更多的观测墩组合</translation>
     </message>
     <message>
         <source>the distances do not connect all pillars</source>
-        <translation type="unfinished"></translation>
+        <translation>各距离未把所有观测墩连接起来</translation>
     </message>
     <message>
         <source>pillar &apos;%1&apos; has two reference lengths</source>
-        <translation type="unfinished"></translation>
+        <translation>观测墩 &apos;%1&apos; 有两个参考长度</translation>
     </message>
     <message>
         <source>no reading is to or from pillar &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>没有读数以观测墩 &apos;%1&apos; 为起点或终点</translation>
     </message>
     <message>
         <source>reference lengths begin at pillar &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>参考长度从观测墩 &apos;%1&apos; 起算</translation>
     </message>
     <message>
         <source>a: s is not larger than the stated σ</source>
-        <translation type="unfinished"></translation>
+        <translation>a：s 不大于给出的 σ</translation>
     </message>
     <message>
         <source>b: s and the s of the other campaign are of one σ, s²/s²</source>
-        <translation type="unfinished"></translation>
+        <translation>b：s 与另一次测试的 s 属于同一 σ，s²/s²</translation>
     </message>
     <message>
         <source>c: the zero offset is not different from zero</source>
-        <translation type="unfinished"></translation>
+        <translation>c：零点偏移与零无差异</translation>
     </message>
     <message>
         <source>A zero offset is seen: add it to readings, or enter it in the instrument.</source>
-        <translation type="unfinished"></translation>
+        <translation>存在零点偏移：请将其加到读数上，或输入到仪器中。</translation>
     </message>
     <message>
         <source>pillars</source>
-        <translation type="unfinished"></translation>
+        <translation>观测墩</translation>
     </message>
     <message>
         <source>s of one distance</source>
-        <translation type="unfinished"></translation>
+        <translation>单次距离的 s</translation>
     </message>
     <message>
         <source>standard uncertainty of s</source>
-        <translation type="unfinished"></translation>
+        <translation>s 的标准不确定度</translation>
     </message>
     <message>
         <source>standard uncertainty of the zero offset</source>
-        <translation type="unfinished"></translation>
+        <translation>零点偏移的标准不确定度</translation>
     </message>
     <message>
         <source>cofactor of the zero offset</source>
-        <translation type="unfinished"></translation>
+        <translation>零点偏移的协因数</translation>
     </message>
     <message>
         <source>residual over its s</source>
-        <translation type="unfinished"></translation>
+        <translation>残差除以其 s</translation>
     </message>
     <message>
         <source>passed</source>
-        <translation type="unfinished"></translation>
+        <translation>通过</translation>
     </message>
     <message>
         <source>not passed</source>
-        <translation type="unfinished"></translation>
+        <translation>未通过</translation>
     </message>
     <message>
         <source>line of the baseline</source>
-        <translation type="unfinished"></translation>
+        <translation>基线所在直线</translation>
     </message>
     <message>
         <source>baseline</source>
-        <translation type="unfinished"></translation>
+        <translation>基线</translation>
     </message>
     <message>
         <source>scatter</source>
-        <translation type="unfinished"></translation>
+        <translation>分散性</translation>
     </message>
     <message>
         <source>the name of the file says that it is a %1</source>
-        <translation type="unfinished"></translation>
+        <translation>文件名表明其为%1</translation>
     </message>
     <message>
         <source>the file does not say which form its points have: a %1 is fitted; choose another one in the table of features</source>
-        <translation type="unfinished"></translation>
+        <translation>文件没有说明其点属于哪种形状：按%1拟合；可在要素表中选择其他形状</translation>
     </message>
     <message>
         <source>the first line is not a number of points</source>
-        <translation type="unfinished"></translation>
+        <translation>第一行不是点数</translation>
     </message>
     <message>
         <source>x y z were expected, %1 columns found</source>
-        <translation type="unfinished"></translation>
+        <translation>应为 x y z，却有 %1 列</translation>
     </message>
     <message>
         <source>the first line announces %1 points, but there are %2</source>
-        <translation type="unfinished"></translation>
+        <translation>第一行声明有 %1 个点，实际有 %2 个</translation>
     </message>
     <message>
         <source>what stands behind the %1 points</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 个点之后的内容</translation>
     </message>
     <message>
         <source>%1 points; their uncertainty is taken from their scatter about the form</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 个点；其不确定度由各点相对形状的分散性得到</translation>
     </message>
     <message>
         <source>%1 points; state their uncertainty: the file says nothing of it</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 个点；请给出其不确定度：文件中没有说明</translation>
     </message>
     <message>
         <source>List of coordinates (NIST .ds)</source>
-        <translation type="unfinished"></translation>
+        <translation>坐标列表 (NIST .ds)</translation>
     </message>
     <message>
         <source>Sheet</source>
-        <translation type="unfinished"></translation>
+        <translation>结果表</translation>
     </message>
     <message>
         <source>Statistical tests</source>
-        <translation type="unfinished"></translation>
+        <translation>统计检验</translation>
     </message>
     <message>
         <source>test</source>
-        <translation type="unfinished"></translation>
+        <translation>检验</translation>
     </message>
     <message>
         <source>Lengths of the baseline</source>
-        <translation type="unfinished"></translation>
+        <translation>基线的长度</translation>
     </message>
     <message>
         <source>Readings and their residuals</source>
-        <translation type="unfinished"></translation>
+        <translation>读数及其残差</translation>
     </message>
     <message>
         <source>Residuals of the distances</source>
-        <translation type="unfinished"></translation>
+        <translation>距离的残差</translation>
     </message>
     <message>
         <source>−s</source>
-        <translation type="unfinished"></translation>
+        <translation>−s</translation>
     </message>
     <message>
         <source>Uncertainties of the points are used</source>
-        <translation type="unfinished"></translation>
+        <translation>点的不确定度的采用方式</translation>
     </message>
     <message>
         <source>As stated; or as the residuals of least-squares frames see them: stated ones times one common factor, or times the factor of each figure (variance components). Either has the degrees of freedom of its estimate. What all points share stays as stated.</source>
-        <translation type="unfinished"></translation>
+        <translation>按给出值；或按最小二乘坐标系的残差所见的值：给出值乘以一个共同的系数，或乘以每个指标各自的系数（方差分量）。后两者均具有其估计的自由度。所有点共有的部分保持给出值。</translation>
     </message>
     <message>
         <source>Zero, scale, refraction, index and collimation of an instrument are unknowns with or without a prior, which all of its readings share.</source>
-        <translation type="unfinished"></translation>
+        <translation>仪器的零点、尺度、折光、指标差和视准差为未知数，可有或没有先验，由其所有读数共有。</translation>
     </message>
     <message>
         <source>Map projections are not part of it: reduce the readings before. The curvature of the Earth counts in zenith angles where its radius is given.</source>
-        <translation type="unfinished"></translation>
+        <translation>不包括地图投影：请事先归算读数。在给出地球半径时，天顶距计及地球曲率。</translation>
     </message>
     <message>
         <source>Which instrument read it: readings of one kind by one instrument rest on one figure when stated uncertainties are held against the residuals, and share its figures.</source>
-        <translation type="unfinished"></translation>
+        <translation>由哪台仪器读取：将给出的不确定度与残差对照时，同一仪器的同类读数依据同一指标，并共有该仪器的各项数值。</translation>
     </message>
     <message>
         <source>A reading that is left out stays in the table, and is told among those left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>略去的读数保留在表中，并列入略去项。</translation>
     </message>
     <message>
         <source>left out</source>
-        <translation type="unfinished"></translation>
+        <translation>略去</translation>
     </message>
     <message>
         <source>Figures as seen in</source>
-        <translation type="unfinished"></translation>
+        <translation>所见指标取自</translation>
     </message>
     <message>
         <source>Another network, rounds of a total station say, whose residuals see what its readings are worth. Readings of the same kind and instrument get the standard uncertainty that it sees, with its degrees of freedom, and follow its readings; others stay as stated here.</source>
-        <translation type="unfinished"></translation>
+        <translation>另一个网，例如全站仪的各测回，其残差可看出读数的质量。同类读数和同一仪器取得该网所见的标准不确定度及其自由度，并随其读数变化；其他读数保持此处给出的值。</translation>
     </message>
     <message>
         <source>Figures of instruments</source>
-        <translation type="unfinished"></translation>
+        <translation>仪器的各项数值</translation>
     </message>
     <message>
         <source>What an instrument does to all of its readings alike, with what is known of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>仪器对其所有读数的同样影响，以及对此已知的内容。</translation>
     </message>
     <message>
         <source>Name of the instrument, as in the column of the readings; empty: of all readings without one.</source>
-        <translation type="unfinished"></translation>
+        <translation>仪器的名称，与读数的列中相同；留空：没有仪器名称的所有读数。</translation>
     </message>
     <message>
         <source>What it does to all of its readings alike: its zero is added to distances, by its scale (weather correction included) they are longer, refraction bends its lines of sight, its index is added to zenith angles, its collimation over the sine of the zenith angle to directions.</source>
-        <translation type="unfinished"></translation>
+        <translation>仪器对其所有读数的同样影响：零点加到距离上，尺度（含气象改正）使距离变长，折光使视线弯曲，指标差加到天顶距上，视准差除以天顶距的正弦后加到方向上。</translation>
     </message>
     <message>
         <source>zero of distances</source>
-        <translation type="unfinished"></translation>
+        <translation>距离的零点</translation>
     </message>
     <message>
         <source>refraction coefficient</source>
-        <translation type="unfinished"></translation>
+        <translation>折光系数</translation>
     </message>
     <message>
         <source>vertical index</source>
-        <translation type="unfinished"></translation>
+        <translation>竖盘指标差</translation>
     </message>
     <message>
         <source>knowledge</source>
-        <translation type="unfinished"></translation>
+        <translation>已知情况</translation>
     </message>
     <message>
         <source>Unknown: the readings tell it; stated with u: its value is one more reading, which all of the instrument&apos;s share; fixed without uncertainty.</source>
-        <translation type="unfinished"></translation>
+        <translation>未知：由读数确定；以 u 给出：其值作为又一个读数，由该仪器的所有读数共有；固定：没有不确定度。</translation>
     </message>
     <message>
         <source>The zero; 0 where it is empty.</source>
-        <translation type="unfinished"></translation>
+        <translation>零点；留空为 0。</translation>
     </message>
     <message>
         <source>Standard uncertainty of a stated zero.</source>
-        <translation type="unfinished"></translation>
+        <translation>给出的零点的标准不确定度。</translation>
     </message>
     <message>
         <source>The scale beyond 1, or the refraction coefficient.</source>
-        <translation type="unfinished"></translation>
+        <translation>尺度超出 1 的部分，或折光系数。</translation>
     </message>
     <message>
         <source>u of ratio</source>
-        <translation type="unfinished"></translation>
+        <translation>比值的 u</translation>
     </message>
     <message>
         <source>Standard uncertainty of a stated scale or refraction coefficient.</source>
-        <translation type="unfinished"></translation>
+        <translation>给出的尺度或折光系数的标准不确定度。</translation>
     </message>
     <message>
         <source>The index or collimation; 0 where it is empty.</source>
-        <translation type="unfinished"></translation>
+        <translation>指标差或视准差；留空为 0。</translation>
     </message>
     <message>
         <source>Standard uncertainty of a stated index or collimation.</source>
-        <translation type="unfinished"></translation>
+        <translation>给出的指标差或视准差的标准不确定度。</translation>
     </message>
     <message>
         <source>Radius of the Earth</source>
-        <translation type="unfinished"></translation>
+        <translation>地球半径</translation>
     </message>
     <message>
         <source>Where the curvature of the Earth counts in zenith angles; empty: it does not.</source>
-        <translation type="unfinished"></translation>
+        <translation>用于在天顶距中计及地球曲率；留空：不计及。</translation>
     </message>
     <message>
         <source>Refraction coefficient</source>
-        <translation type="unfinished"></translation>
+        <translation>折光系数</translation>
     </message>
     <message>
         <source>Of zenith angles, where the curvature of the Earth counts and no instrument states its own.</source>
-        <translation type="unfinished"></translation>
+        <translation>用于计及地球曲率且仪器没有给出自身折光系数时的天顶距。</translation>
     </message>
     <message>
         <source>What is left out</source>
-        <translation type="unfinished"></translation>
+        <translation>略去的内容</translation>
     </message>
     <message>
         <source>Gross readings beyond</source>
-        <translation type="unfinished"></translation>
+        <translation>粗差读数的界限</translation>
     </message>
     <message>
         <source>Readings that miss what the others agree on (a robust adjustment) by more, an angle at its target, are left out; empty: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>读数与其他读数的一致结果（稳健平差）之差超过该值时略去，角度按其在目标点处的偏差计；留空：不略去。</translation>
     </message>
     <message>
         <source>Points that nothing tells</source>
-        <translation type="unfinished"></translation>
+        <translation>无法确定的点</translation>
     </message>
     <message>
         <source>They are refused, by name; or left out with their readings, and told.</source>
-        <translation type="unfinished"></translation>
+        <translation>按名称拒绝；或连同其读数一起略去并说明。</translation>
     </message>
     <message>
         <source>are refused</source>
-        <translation type="unfinished"></translation>
+        <translation>拒绝</translation>
     </message>
     <message>
         <source>are left out</source>
-        <translation type="unfinished"></translation>
+        <translation>略去</translation>
     </message>
     <message>
         <source>Outliers</source>
-        <translation type="unfinished"></translation>
+        <translation>离群值</translation>
     </message>
     <message>
         <source>All readings are kept, and the adjustment says which contradict the others; or the search begins robustly (Huber&apos;s weights), and readings with |w| beyond 3.29 are left out, each with its reason.</source>
-        <translation type="unfinished"></translation>
+        <translation>保留所有读数，平差指出哪些与其他读数矛盾；或搜索从稳健方法（Huber 权）开始，|w| 超过 3.29 的读数逐个略去并说明原因。</translation>
     </message>
     <message>
         <source>are kept</source>
-        <translation type="unfinished"></translation>
+        <translation>保留</translation>
     </message>
     <message>
         <source>robust start, and left out</source>
-        <translation type="unfinished"></translation>
+        <translation>稳健起始，并略去</translation>
     </message>
     <message>
         <source>Uncertainties of the points</source>
-        <translation type="unfinished"></translation>
+        <translation>点的不确定度</translation>
     </message>
     <message>
         <source>As stated; or as the distances of the points from their circles see them: stated ones times one common factor, or times the factor of each figure (variance components). Either has the degrees of freedom of its estimate. What all points share stays as stated.</source>
-        <translation type="unfinished"></translation>
+        <translation>按给出值；或按各点到其圆的距离所见的值：给出值乘以一个共同的系数，或乘以每个指标各自的系数（方差分量）。后两者均具有其估计的自由度。所有点共有的部分保持给出值。</translation>
     </message>
     <message>
         <source>Uncertainties of points and readings</source>
-        <translation type="unfinished"></translation>
+        <translation>点和读数的不确定度</translation>
     </message>
     <message>
         <source>As stated; or as the residuals of this fit see them: stated ones times one common factor, or times the factor of each figure (variance components). Either has the degrees of freedom of its estimate. What all poses share stays as stated.</source>
-        <translation type="unfinished"></translation>
+        <translation>按给出值；或按本次拟合的残差所见的值：给出值乘以一个共同的系数，或乘以每个指标各自的系数（方差分量）。后两者均具有其估计的自由度。所有位姿共有的部分保持给出值。</translation>
     </message>
     <message>
         <source>Stated ones weigh the points and are used as they are; or they are used as the residuals see them: times one common factor, or times one of x and one of y. Either has the degrees of freedom of its estimate. What all points share stays as stated.</source>
-        <translation type="unfinished"></translation>
+        <translation>给出值用于各点的加权并照原样采用；或按残差所见的值采用：乘以一个共同的系数，或对 x 和 y 各乘以一个系数。后两者均具有其估计的自由度。所有点共有的部分保持给出值。</translation>
     </message>
     <message>
         <source>Accuracy and repeatability of poses</source>
-        <translation type="unfinished"></translation>
+        <translation>位姿的准确度和重复性</translation>
     </message>
     <message>
         <source>What ISO 9283 asks of a robot, from measured poses: AP and RP, distances, directions of approach, drift; with the uncertainty that few cycles and the instrument leave, and decisions about a maker&apos;s figures.</source>
-        <translation type="unfinished"></translation>
+        <translation>ISO 9283 对机器人的要求，由实测位姿得到：AP 和 RP、距离、接近方向、漂移；含较少循环次数和仪器所留下的不确定度，以及对制造商指标的判定。</translation>
     </message>
     <message>
         <source>RP of the standard comes out too small from few cycles: by 2 % from 30 and 7 % from 10, where the scatter is alike in all directions. The result is multiplied by what that is for the shape of the scatter seen; the table gives RP as the standard defines it beside it.</source>
-        <translation type="unfinished"></translation>
+        <translation>循环次数少时，标准的 RP 偏小：分散性在各方向相同时，30 次循环偏小 2 %，10 次偏小 7 %。结果乘以按所见分散性形状得到的修正；表中并列给出标准所定义的 RP。</translation>
     </message>
     <message>
         <source>Scatter is taken to be normal. The law of RP for the number of cycles and the shape of the scatter comes from up to 4,000 simulated campaigns, always the same ones.</source>
-        <translation type="unfinished"></translation>
+        <translation>分散性按正态处理。RP 随循环次数和分散性形状的分布由至多 4,000 个模拟测量系列得到，每次均为同样的系列。</translation>
     </message>
     <message>
         <source>Limits and numbers of cycles of the standard are not built in: what is held against a figure is what is entered. Formulas of directions, distances and drift are those in common use; hold them against the text of the standard before a sheet names it.</source>
-        <translation type="unfinished"></translation>
+        <translation>标准的界限和循环次数未内置：与指标比较的是所输入的值。方向、距离和漂移的公式是通用公式；在结果表上写明该标准之前，请与标准原文核对。</translation>
     </message>
     <message>
         <source>RP² is split between robot and instrument as if both scattered in one shape.</source>
-        <translation type="unfinished"></translation>
+        <translation>RP² 在机器人与仪器之间划分时，视两者的分散性形状相同。</translation>
     </message>
     <message>
         <source>Commanded poses</source>
-        <translation type="unfinished"></translation>
+        <translation>指令位姿</translation>
     </message>
     <message>
         <source>Where the robot was sent to.</source>
-        <translation type="unfinished"></translation>
+        <translation>机器人被指令到达的位置。</translation>
     </message>
     <message>
         <source>Name, unique: P1.</source>
-        <translation type="unfinished"></translation>
+        <translation>名称，须唯一：P1。</translation>
     </message>
     <message>
         <source>Commanded coordinate x in the base of the robot.</source>
-        <translation type="unfinished"></translation>
+        <translation>机器人基坐标系中的指令坐标 x。</translation>
     </message>
     <message>
         <source>Commanded coordinate y in the base of the robot.</source>
-        <translation type="unfinished"></translation>
+        <translation>机器人基坐标系中的指令坐标 y。</translation>
     </message>
     <message>
         <source>Commanded coordinate z in the base of the robot.</source>
-        <translation type="unfinished"></translation>
+        <translation>机器人基坐标系中的指令坐标 z。</translation>
     </message>
     <message>
         <source>Commanded angle of the orientation; empty: orientations are not evaluated.</source>
-        <translation type="unfinished"></translation>
+        <translation>姿态的指令角度；留空：不评定姿态。</translation>
     </message>
     <message>
         <source>Attained poses</source>
-        <translation type="unfinished"></translation>
+        <translation>实到位姿</translation>
     </message>
     <message>
         <source>A row for every cycle in the order of measurement, typed, pasted or from a CSV file. The coordinates are those of the robot&apos;s base.</source>
-        <translation type="unfinished"></translation>
+        <translation>按测量顺序每个循环一行，手工输入、粘贴或来自 CSV 文件。坐标在机器人的基坐标系中。</translation>
     </message>
     <message>
         <source>As in the commanded poses.</source>
-        <translation type="unfinished"></translation>
+        <translation>与指令位姿中相同。</translation>
     </message>
     <message>
         <source>From where the pose was approached, where there are several ways; empty: one for all.</source>
-        <translation type="unfinished"></translation>
+        <translation>有多种接近方式时，从何处接近该位姿；留空：全部为同一方式。</translation>
     </message>
     <message>
         <source>Of the series of cycles, where it is repeated to see a drift; empty: there is one series.</source>
-        <translation type="unfinished"></translation>
+        <translation>循环系列的编号，用于重复以观察漂移；留空：只有一个系列。</translation>
     </message>
     <message>
         <source>Attained coordinate x in the base of the robot.</source>
-        <translation type="unfinished"></translation>
+        <translation>机器人基坐标系中的实到坐标 x。</translation>
     </message>
     <message>
         <source>Attained coordinate y in the base of the robot.</source>
-        <translation type="unfinished"></translation>
+        <translation>机器人基坐标系中的实到坐标 y。</translation>
     </message>
     <message>
         <source>Attained coordinate z in the base of the robot.</source>
-        <translation type="unfinished"></translation>
+        <translation>机器人基坐标系中的实到坐标 z。</translation>
     </message>
     <message>
         <source>Attained angle of the orientation.</source>
-        <translation type="unfinished"></translation>
+        <translation>姿态的实到角度。</translation>
     </message>
     <message>
         <source>Pairs of poses whose distance is held against the commanded one, cycle by cycle.</source>
-        <translation type="unfinished"></translation>
+        <translation>位姿对，其距离逐个循环与指令距离比较。</translation>
     </message>
     <message>
         <source>A commanded pose.</source>
-        <translation type="unfinished"></translation>
+        <translation>一个指令位姿。</translation>
     </message>
     <message>
         <source>Another one, with as many cycles.</source>
-        <translation type="unfinished"></translation>
+        <translation>另一个指令位姿，循环次数相同。</translation>
     </message>
     <message>
         <source>u of a measured coordinate</source>
-        <translation type="unfinished"></translation>
+        <translation>实测坐标的 u</translation>
     </message>
     <message>
         <source>Standard uncertainty that all cycles of a pose share: of the instrument and of the robot&apos;s base in its frame. It is part of u(AP), not of RP.</source>
-        <translation type="unfinished"></translation>
+        <translation>同一位姿的所有循环共有的标准不确定度：来自仪器以及机器人基座在仪器坐标系中的位置。它计入 u(AP)，不计入 RP。</translation>
     </message>
     <message>
         <source>Scatter of the instrument</source>
-        <translation type="unfinished"></translation>
+        <translation>仪器的分散性</translation>
     </message>
     <message>
         <source>What the instrument scatters by itself is part of RP. Where it is known, RP² less its RP² is that of the robot, if both scatter alike in all directions.</source>
-        <translation type="unfinished"></translation>
+        <translation>仪器自身的分散性是 RP 的一部分。若其已知，且两者在各方向上分散性相同，则 RP² 减去仪器的 RP² 即为机器人的。</translation>
     </message>
     <message>
         <source>not taken out</source>
-        <translation type="unfinished"></translation>
+        <translation>不扣除</translation>
     </message>
     <message>
         <source>its RP from a fixed target</source>
-        <translation type="unfinished"></translation>
+        <translation>其对固定目标的 RP</translation>
     </message>
     <message>
         <source>readings of a fixed target</source>
-        <translation type="unfinished"></translation>
+        <translation>固定目标的读数</translation>
     </message>
     <message>
         <source>RP of the instrument alone</source>
-        <translation type="unfinished"></translation>
+        <translation>仅仪器的 RP</translation>
     </message>
     <message>
         <source>l̄ + 3 s of readings of a fixed target, as measured in the cell.</source>
-        <translation type="unfinished"></translation>
+        <translation>固定目标读数的 l̄ + 3 s，在工作单元内测得。</translation>
     </message>
     <message>
         <source>Its readings</source>
-        <translation type="unfinished"></translation>
+        <translation>其读数个数</translation>
     </message>
     <message>
         <source>Number of readings that it is taken from: so well is it known.</source>
-        <translation type="unfinished"></translation>
+        <translation>得出该值的读数个数：决定其已知程度。</translation>
     </message>
     <message>
         <source>Readings of a fixed target</source>
-        <translation type="unfinished"></translation>
+        <translation>固定目标的读数</translation>
     </message>
     <message>
         <source>Coordinates of a target that does not move, read as the poses were.</source>
-        <translation type="unfinished"></translation>
+        <translation>不动目标的坐标，读取方式与位姿相同。</translation>
     </message>
     <message>
         <source>Read coordinate x.</source>
-        <translation type="unfinished"></translation>
+        <translation>读取的坐标 x。</translation>
     </message>
     <message>
         <source>Read coordinate y.</source>
-        <translation type="unfinished"></translation>
+        <translation>读取的坐标 y。</translation>
     </message>
     <message>
         <source>Read coordinate z.</source>
-        <translation type="unfinished"></translation>
+        <translation>读取的坐标 z。</translation>
     </message>
     <message>
         <source>Decisions</source>
-        <translation type="unfinished"></translation>
+        <translation>判定</translation>
     </message>
     <message>
         <source>Rated AP</source>
-        <translation type="unfinished"></translation>
+        <translation>额定 AP</translation>
     </message>
     <message>
         <source>The maker&apos;s figure; empty: nothing is decided.</source>
-        <translation type="unfinished"></translation>
+        <translation>制造商的指标；留空：不作判定。</translation>
     </message>
     <message>
         <source>Rated RP</source>
-        <translation type="unfinished"></translation>
+        <translation>额定 RP</translation>
     </message>
     <message>
         <source>Probability of a decision</source>
-        <translation type="unfinished"></translation>
+        <translation>判定的概率</translation>
     </message>
     <message>
         <source>A robot conforms where this is the probability that its figure is not above the rated one.</source>
-        <translation type="unfinished"></translation>
+        <translation>机器人的指标不超过额定值的概率达到此值时，机器人合格。</translation>
     </message>
     <message>
         <source>U of the instrument</source>
-        <translation type="unfinished"></translation>
+        <translation>仪器的 U</translation>
     </message>
     <message>
         <source>Expanded uncertainty of the measured position, k = 2; empty: it is not held against AP and RP.</source>
-        <translation type="unfinished"></translation>
+        <translation>实测位置的扩展不确定度，k = 2；留空：不与 AP 和 RP 比较。</translation>
     </message>
     <message>
         <source>Largest ratio of U to AP, RP</source>
-        <translation type="unfinished"></translation>
+        <translation>U 与 AP、RP 的最大比值</translation>
     </message>
     <message>
         <source>What the standard or the contract allows, as it says it.</source>
-        <translation type="unfinished"></translation>
+        <translation>标准或合同所允许的值，按其表述。</translation>
     </message>
     <message>
         <source>Two-face and length tests of a tracker</source>
-        <translation type="unfinished"></translation>
+        <translation>跟踪仪的双面和长度检测</translation>
     </message>
     <message>
         <source>Errors of a laser tracker at the positions of its acceptance test, with the uncertainty of the test, and the decision whether they are within the maximum permissible errors.</source>
-        <translation type="unfinished"></translation>
+        <translation>激光跟踪仪在其验收检测各位置的误差及检测的不确定度，以及误差是否在最大允许误差之内的判定。</translation>
     </message>
     <message>
         <source>Positions, numbers of repetitions and limits are those that are entered: none of a standard is built in.</source>
-        <translation type="unfinished"></translation>
+        <translation>位置、重复次数和界限均为所输入的值：未内置任何标准的数值。</translation>
     </message>
     <message>
         <source>The uncertainty of a test value is what the test adds, not the scatter of the tracker: that is what is tested.</source>
-        <translation type="unfinished"></translation>
+        <translation>检测值的不确定度是检测所带来的部分，不是跟踪仪的分散性：后者正是被检测的内容。</translation>
     </message>
     <message>
         <source>A row for every position, typed, pasted or from a CSV file.</source>
-        <translation type="unfinished"></translation>
+        <translation>每个位置一行，手工输入、粘贴或来自 CSV 文件。</translation>
     </message>
     <message>
         <source>Number or name of the position, unique.</source>
-        <translation type="unfinished"></translation>
+        <translation>位置的编号或名称，须唯一。</translation>
     </message>
     <message>
         <source>Two-face: a fixed target read in both faces. Length: a reference length.</source>
-        <translation type="unfinished"></translation>
+        <translation>双面：以盘左盘右读取固定目标。长度：一个参考长度。</translation>
     </message>
     <message>
         <source>two-face</source>
-        <translation type="unfinished"></translation>
+        <translation>双面</translation>
     </message>
     <message>
         <source>Two-face: distance across the beam between the readings of both faces. Length: as measured.</source>
-        <translation type="unfinished"></translation>
+        <translation>双面：盘左与盘右读数之间垂直于光束的距离。长度：实测值。</translation>
     </message>
     <message>
         <source>reference</source>
-        <translation type="unfinished"></translation>
+        <translation>参考值</translation>
     </message>
     <message>
         <source>Calibrated length, of a length test.</source>
-        <translation type="unfinished"></translation>
+        <translation>校准长度，用于长度检测。</translation>
     </message>
     <message>
         <source>range</source>
-        <translation type="unfinished"></translation>
+        <translation>距离</translation>
     </message>
     <message>
         <source>Distance of the target, or of the middle of the length, from the tracker.</source>
-        <translation type="unfinished"></translation>
+        <translation>目标点或长度中点到跟踪仪的距离。</translation>
     </message>
     <message>
         <source>Its horizontal angle; empty: 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>其水平角；留空：0。</translation>
     </message>
     <message>
         <source>Its angle above the horizon; empty: 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>其高于水平面的角度；留空：0。</translation>
     </message>
     <message>
         <source>Standard uncertainty of this test value; empty: that of its kind, as below.</source>
-        <translation type="unfinished"></translation>
+        <translation>该检测值的标准不确定度；留空：该类的值，见下。</translation>
     </message>
     <message>
         <source>MPE</source>
-        <translation type="unfinished"></translation>
+        <translation>MPE</translation>
     </message>
     <message>
         <source>Limit for this position; empty: it follows from constant and slope, as below.</source>
-        <translation type="unfinished"></translation>
+        <translation>该位置的界限；留空：由常数和斜率得出，见下。</translation>
     </message>
     <message>
         <source>Limits</source>
-        <translation type="unfinished"></translation>
+        <translation>界限</translation>
     </message>
     <message>
         <source>MPE two-face, constant</source>
-        <translation type="unfinished"></translation>
+        <translation>双面 MPE，常数</translation>
     </message>
     <message>
         <source>As the maker states it for a two-face test; empty: every two-face test has its own MPE.</source>
-        <translation type="unfinished"></translation>
+        <translation>制造商给出的双面检测值；留空：每次双面检测有自己的 MPE。</translation>
     </message>
     <message>
         <source>MPE two-face, per metre</source>
-        <translation type="unfinished"></translation>
+        <translation>双面 MPE，每米</translation>
     </message>
     <message>
         <source>Times the range of the target.</source>
-        <translation type="unfinished"></translation>
+        <translation>乘以目标点的距离。</translation>
     </message>
     <message>
         <source>MPE length, constant</source>
-        <translation type="unfinished"></translation>
+        <translation>长度 MPE，常数</translation>
     </message>
     <message>
         <source>As the maker states it; empty: every length has its own MPE.</source>
-        <translation type="unfinished"></translation>
+        <translation>制造商给出的值；留空：每个长度有自己的 MPE。</translation>
     </message>
     <message>
         <source>MPE length, per metre</source>
-        <translation type="unfinished"></translation>
+        <translation>长度 MPE，每米</translation>
     </message>
     <message>
         <source>Times the reference length.</source>
-        <translation type="unfinished"></translation>
+        <translation>乘以参考长度。</translation>
     </message>
     <message>
         <source>Uncertainty of the test values</source>
-        <translation type="unfinished"></translation>
+        <translation>检测值的不确定度</translation>
     </message>
     <message>
         <source>u of a two-face value</source>
-        <translation type="unfinished"></translation>
+        <translation>双面值的 u</translation>
     </message>
     <message>
         <source>Standard uncertainty of what the test adds: seat of the reflector, motion of its mount. Not the scatter of the tracker, which is tested.</source>
-        <translation type="unfinished"></translation>
+        <translation>检测所带来部分的标准不确定度：反射器的靶座、其支架的移动。不是跟踪仪的分散性，后者是被检测的。</translation>
     </message>
     <message>
         <source>u of a length</source>
-        <translation type="unfinished"></translation>
+        <translation>长度的 u</translation>
     </message>
     <message>
         <source>Standard uncertainty of what the test adds to each length: calibration, mounting, temperature. Not the scatter of the tracker.</source>
-        <translation type="unfinished"></translation>
+        <translation>检测给每个长度带来部分的标准不确定度：校准、安装、温度。不是跟踪仪的分散性。</translation>
     </message>
     <message>
         <source>u of the scale of the references</source>
-        <translation type="unfinished"></translation>
+        <translation>参考长度尺度的 u</translation>
     </message>
     <message>
         <source>A position conforms where this is the probability that its error is within the MPE.</source>
-        <translation type="unfinished"></translation>
+        <translation>误差在 MPE 之内的概率达到此值时，该位置合格。</translation>
     </message>
     <message>
         <source>Accuracy and repeatability of a robot</source>
-        <translation type="unfinished"></translation>
+        <translation>机器人的准确度和重复性</translation>
     </message>
     <message>
         <source>AP and RP of ISO 9283 from measured poses, and whether the maker&apos;s figures are met.</source>
-        <translation type="unfinished"></translation>
+        <translation>由实测位姿得到 ISO 9283 的 AP 和 RP，以及是否达到制造商的指标。</translation>
     </message>
     <message>
         <source>Acceptance test of a tracker</source>
-        <translation type="unfinished"></translation>
+        <translation>跟踪仪的验收检测</translation>
     </message>
     <message>
         <source>Two-face and length tests against their limits, with the uncertainty of the test.</source>
-        <translation type="unfinished"></translation>
+        <translation>双面和长度检测与其界限的比较，含检测的不确定度。</translation>
     </message>
     <message>
         <source>Robot at five poses, thirty cycles</source>
-        <translation type="unfinished"></translation>
+        <translation>五个位姿、三十次循环的机器人</translation>
     </message>
     <message>
         <source>An industrial robot, sent thirty times to each of five poses and measured by a laser tracker: AP and RP after ISO 9283 with what thirty cycles and the tracker leave open of them.</source>
-        <translation type="unfinished"></translation>
+        <translation>一台工业机器人，到达五个位姿各三十次，由激光跟踪仪测量：ISO 9283 的 AP 和 RP，以及三十次循环和跟踪仪留下的未定部分。</translation>
     </message>
     <message>
         <source>From rounds of a total station to a certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>从全站仪的测回到证书</translation>
     </message>
     <message>
         <source>Four rounds of a total station say what its readings are worth: a network takes their figures as seen, a pose takes its points from the network, and the certificate states the pose.</source>
-        <translation type="unfinished"></translation>
+        <translation>全站仪的四个测回说明其读数的质量：一个网采用其所见的指标，一个位姿从该网取得其点，证书给出该位姿。</translation>
     </message>
     <message>
         <source>Acceptance test of a laser tracker</source>
-        <translation type="unfinished"></translation>
+        <translation>激光跟踪仪的验收检测</translation>
     </message>
     <message>
         <source>A laser tracker, tested with fixed reflectors read in both faces from three distances, and with a reference length of 2.3 m.</source>
-        <translation type="unfinished"></translation>
+        <translation>一台激光跟踪仪，以从三个距离用盘左盘右读取的固定反射器，以及一个 2.3 m 的参考长度进行检测。</translation>
     </message>
     <message>
         <source>%1 is a temperature in %3, and here it would be taken in kelvin (20 degC as 293.15 K): if it is a difference, give it in %4; for its reading in %3 write (%2 - 0 [%3]). Only the ratio of two temperatures in %3 is taken in kelvin</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 是以 %3 表示的温度，在此将按开尔文取值（20 degC 取为 293.15 K）：若为温差，请以 %4 给出；若要用其以 %3 表示的读数，请写作 (%2 - 0 [%3])。只有以 %3 表示的两个温度之比才按开尔文取值</translation>
     </message>
     <message>
         <source>%1 is a multiple of a temperature in %2, which depends on where the scale has its zero: if the temperature is a difference, give it in %3; else multiply its reading, as in 1.5*(t - 0 [%2])</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 是以 %2 表示的温度的倍数，取决于该温标的零点：若该温度为温差，请以 %3 给出；否则请将其读数相乘，如 1.5*(t - 0 [%2])</translation>
     </message>
     <message>
         <source>a part (%, ppm) or multiple of a temperature in %1 depends on where the scale has its zero: give the figure in %2</source>
-        <translation type="unfinished"></translation>
+        <translation>以 %1 表示的温度的一部分（%、ppm）或倍数取决于该温标的零点：请以 %2 给出该数值</translation>
     </message>
     <message>
         <source>a difference: %1 in %2</source>
-        <translation type="unfinished"></translation>
+        <translation>温差：%1，以 %2 表示</translation>
     </message>
     <message>
         <source>column &apos;%1&apos; of &apos;%2&apos; is %3; its unit is missing: write &quot;%4 [%5]&quot;</source>
@@ -16881,711 +16881,711 @@ sample 1; 2; 3 weights 2; 5; 2（按原样抽取），histogram 0; 1; 2 weights 
     </message>
     <message>
         <source>column &apos;%1&apos; of &apos;%2&apos; is a difference of temperatures: give it in %3, not in %4</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%2&apos; 的列 &apos;%1&apos; 是温差：请以 %3 给出，而不是 %4</translation>
     </message>
     <message>
         <source>%1 is a difference of temperatures: give it in %2, not in %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 是温差：请以 %2 给出，而不是 %3</translation>
     </message>
     <message>
         <source>The figures of the set-up are too far apart in size for %1: the last digits of the estimates change its sensitivity coefficients by more than a tenth. Give coordinates from a place nearby.</source>
-        <translation type="unfinished"></translation>
+        <translation>对 %1 而言，设置中的数值大小相差过大：估计值的末位数字使其灵敏系数改变十分之一以上。请从附近的点给出坐标。</translation>
     </message>
     <message>
         <source>uncertainties as the residuals see them</source>
-        <translation type="unfinished"></translation>
+        <translation>残差所见的不确定度</translation>
     </message>
     <message>
         <source>stated figures of instruments</source>
-        <translation type="unfinished"></translation>
+        <translation>给出的仪器数值</translation>
     </message>
     <message>
         <source>%1 does not see these figures, so they stay as stated here: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 看不出这些指标，因此保持此处给出的值：%2</translation>
     </message>
     <message>
         <source>readings of figures that are seen elsewhere are correlated with others here</source>
-        <translation type="unfinished"></translation>
+        <translation>在别处看出其指标的读数与此处的其他读数相关</translation>
     </message>
     <message>
         <source>the readings from %1 agree if the names %2 and %3 are exchanged there</source>
-        <translation type="unfinished"></translation>
+        <translation>若将其中的名称 %2 与 %3 互换，来自 %1 的读数即相符</translation>
     </message>
     <message>
         <source>as seen in %1: %2 times what is stated here</source>
-        <translation type="unfinished"></translation>
+        <translation>按 %1 中所见：此处给出值的 %2 倍</translation>
     </message>
     <message>
         <source>the only direction of its round, whose orientation is not known</source>
-        <translation type="unfinished"></translation>
+        <translation>其测回的唯一方向，该测回的定向未知</translation>
     </message>
     <message>
         <source>it contradicts the others: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>与其他读数矛盾：%1</translation>
     </message>
     <message>
         <source>it contradicts the others: %1; it cannot be told apart from %2</source>
-        <translation type="unfinished"></translation>
+        <translation>与其他读数矛盾：%1；无法与 %2 区分</translation>
     </message>
     <message>
         <source>nothing tells them</source>
-        <translation type="unfinished"></translation>
+        <translation>无法确定它们</translation>
     </message>
     <message>
         <source>x and y of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的 x 和 y</translation>
     </message>
     <message>
         <source>the height of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的高程</translation>
     </message>
     <message>
         <source>nothing tells it</source>
-        <translation type="unfinished"></translation>
+        <translation>无法确定它</translation>
     </message>
     <message>
         <source>its point %1 is left out</source>
-        <translation type="unfinished"></translation>
+        <translation>其点 %1 已略去</translation>
     </message>
     <message>
         <source>the height of %1 is left out</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的高程已略去</translation>
     </message>
     <message>
         <source>it misses what the others agree on by %1 m, more than %2 m</source>
-        <translation type="unfinished"></translation>
+        <translation>与其他读数的一致结果相差 %1 m，超过 %2 m</translation>
     </message>
     <message>
         <source>|w| = %1</source>
-        <translation type="unfinished"></translation>
+        <translation>|w| = %1</translation>
     </message>
     <message>
         <source>%1 times its u in a robust adjustment</source>
-        <translation type="unfinished"></translation>
+        <translation>稳健平差中为其 u 的 %1 倍</translation>
     </message>
     <message>
         <source>by hand</source>
-        <translation type="unfinished"></translation>
+        <translation>手工</translation>
     </message>
     <message>
         <source>%1 is left out: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 已略去：%2</translation>
     </message>
     <message>
         <source>and %1 more are left out, listed with their reasons</source>
-        <translation type="unfinished"></translation>
+        <translation>另有 %1 个已略去，连同原因列出</translation>
     </message>
     <message>
         <source>zero c and scale m of distances, index i, refraction k</source>
-        <translation type="unfinished"></translation>
+        <translation>距离的零点 c 和尺度 m，指标差 i，折光 k</translation>
     </message>
     <message>
         <source>all instruments</source>
-        <translation type="unfinished"></translation>
+        <translation>所有仪器</translation>
     </message>
     <message>
         <source>the zero of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的零点</translation>
     </message>
     <message>
         <source>the scale of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的尺度</translation>
     </message>
     <message>
         <source>the refraction coefficient of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的折光系数</translation>
     </message>
     <message>
         <source>the vertical index of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的竖盘指标差</translation>
     </message>
     <message>
         <source>the collimation of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的视准差</translation>
     </message>
     <message>
         <source>%1 is stated twice</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 给出了两次</translation>
     </message>
     <message>
         <source>%1 needs the radius of the Earth</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 需要地球半径</translation>
     </message>
     <message>
         <source>there is no reading that %1 would change: readings say their instrument in their column</source>
-        <translation type="unfinished"></translation>
+        <translation>没有读数会受 %1 影响：读数在其列中指明仪器</translation>
     </message>
     <message>
         <source>outlier? it cannot be told apart from %1</source>
-        <translation type="unfinished"></translation>
+        <translation>离群值？无法与 %1 区分</translation>
     </message>
     <message>
         <source>Reason</source>
-        <translation type="unfinished"></translation>
+        <translation>原因</translation>
     </message>
     <message>
         <source>the readings cannot tell %1 apart: add readings that see them differently, or state one of them</source>
-        <translation type="unfinished"></translation>
+        <translation>读数无法区分 %1：请添加以不同方式反映它们的读数，或给出其中之一</translation>
     </message>
     <message>
         <source>nothing tells %1: add readings that see it, or state it with u</source>
-        <translation type="unfinished"></translation>
+        <translation>无法确定 %1：请添加能反映它的读数，或以 u 给出</translation>
     </message>
     <message>
         <source>%1 readings cannot tell %2 unknowns (coordinates less what the datum takes, orientations, figures of instruments): add %3 readings at least, or state figures with u</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 个读数无法确定 %2 个未知数（坐标减去基准所取的部分、定向、仪器的数值）：请至少添加 %3 个读数，或以 u 给出数值</translation>
     </message>
     <message>
         <source>instruments</source>
-        <translation type="unfinished"></translation>
+        <translation>仪器</translation>
     </message>
     <message>
         <source>base points, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>基坐标系的点，%1</translation>
     </message>
     <message>
         <source>points of the moving frame, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>动坐标系的点，%1</translation>
     </message>
     <message>
         <source>joint %1, point %2</source>
-        <translation type="unfinished"></translation>
+        <translation>关节 %1，点 %2</translation>
     </message>
     <message>
         <source>%1, off the plane</source>
-        <translation type="unfinished"></translation>
+        <translation>%1，离面</translation>
     </message>
     <message>
         <source>%1, along the radius</source>
-        <translation type="unfinished"></translation>
+        <translation>%1，沿半径</translation>
     </message>
     <message>
         <source>a thermodynamic temperature: %1 in %2</source>
-        <translation type="unfinished"></translation>
+        <translation>热力学温度：%1，以 %2 表示</translation>
     </message>
     <message>
         <source>its reading in %2: %1 - 0 [%2]</source>
-        <translation type="unfinished"></translation>
+        <translation>其以 %2 表示的读数：%1 - 0 [%2]</translation>
     </message>
     <message>
         <source>a part of its reading in %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>其以 %1 表示的读数的一部分：%2</translation>
     </message>
     <message>
         <source>a temperature: %1 in %2</source>
-        <translation type="unfinished"></translation>
+        <translation>温度：%1，以 %2 表示</translation>
     </message>
     <message>
         <source>y of the points</source>
-        <translation type="unfinished"></translation>
+        <translation>各点的 y</translation>
     </message>
     <message>
         <source>x of the points</source>
-        <translation type="unfinished"></translation>
+        <translation>各点的 x</translation>
     </message>
     <message>
         <source>the distance in row %1 is too long</source>
-        <translation type="unfinished"></translation>
+        <translation>第 %1 行中的距离过长</translation>
     </message>
     <message>
         <source>%1 distances between %2 pillars are more than a baseline has: at most %3 between %4</source>
-        <translation type="unfinished"></translation>
+        <translation>%2 个观测墩间的 %1 个距离多于一条基线所能有的：%4 个之间至多 %3 个</translation>
     </message>
     <message>
         <source>%1 cycles</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 次循环</translation>
     </message>
     <message>
         <source>few cycles</source>
-        <translation type="unfinished"></translation>
+        <translation>循环次数少</translation>
     </message>
     <message>
         <source>%1 cycles, normal scatter of the shape seen</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 次循环，正态分散性，形状按所见</translation>
     </message>
     <message>
         <source>barycentre of %1, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的集群中心，%2</translation>
     </message>
     <message>
         <source>scatter of the cycles</source>
-        <translation type="unfinished"></translation>
+        <translation>循环的分散性</translation>
     </message>
     <message>
         <source>repeatability of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的重复性</translation>
     </message>
     <message>
         <source>mean deviation of angle %1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%2 的角度 %1 的平均偏差</translation>
     </message>
     <message>
         <source>repeatability of angle %1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%2 的角度 %1 的重复性</translation>
     </message>
     <message>
         <source>instrument and base of the robot</source>
-        <translation type="unfinished"></translation>
+        <translation>仪器和机器人基座</translation>
     </message>
     <message>
         <source>error of the measured place of %1, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的实测位置的误差，%2</translation>
     </message>
     <message>
         <source>mean distance %1</source>
-        <translation type="unfinished"></translation>
+        <translation>平均距离 %1</translation>
     </message>
     <message>
         <source>repeatability of distance %1</source>
-        <translation type="unfinished"></translation>
+        <translation>距离 %1 的重复性</translation>
     </message>
     <message>
         <source>repeatability of the instrument alone</source>
-        <translation type="unfinished"></translation>
+        <translation>仅仪器的重复性</translation>
     </message>
     <message>
         <source>ISO 9283, accuracy of a pose</source>
-        <translation type="unfinished"></translation>
+        <translation>ISO 9283，位姿准确度</translation>
     </message>
     <message>
         <source>ISO 9283, repeatability; c = RP(∞)/RP(n) by simulated campaigns</source>
-        <translation type="unfinished"></translation>
+        <translation>ISO 9283，重复性；c = RP(∞)/RP(n)，由模拟测量系列得到</translation>
     </message>
     <message>
         <source>without the instrument, where both scatter in one shape</source>
-        <translation type="unfinished"></translation>
+        <translation>不含仪器，两者的分散性形状相同时</translation>
     </message>
     <message>
         <source>of several directions of approach</source>
-        <translation type="unfinished"></translation>
+        <translation>多个接近方向</translation>
     </message>
     <message>
         <source>distances between poses</source>
-        <translation type="unfinished"></translation>
+        <translation>位姿间的距离</translation>
     </message>
     <message>
         <source>drift</source>
-        <translation type="unfinished"></translation>
+        <translation>漂移</translation>
     </message>
     <message>
         <source>accuracy of the pose</source>
-        <translation type="unfinished"></translation>
+        <translation>位姿的准确度</translation>
     </message>
     <message>
         <source>repeatability of the pose</source>
-        <translation type="unfinished"></translation>
+        <translation>位姿的重复性</translation>
     </message>
     <message>
         <source>repeatability of the robot alone</source>
-        <translation type="unfinished"></translation>
+        <translation>仅机器人的重复性</translation>
     </message>
     <message>
         <source>share of the instrument in RP²</source>
-        <translation type="unfinished"></translation>
+        <translation>仪器在 RP² 中的占比</translation>
     </message>
     <message>
         <source>accuracy of angle %1</source>
-        <translation type="unfinished"></translation>
+        <translation>角度 %1 的准确度</translation>
     </message>
     <message>
         <source>repeatability of angle %1, ±</source>
-        <translation type="unfinished"></translation>
+        <translation>角度 %1 的重复性，±</translation>
     </message>
     <message>
         <source>variation of the accuracy over the directions of approach</source>
-        <translation type="unfinished"></translation>
+        <translation>准确度随接近方向的变动</translation>
     </message>
     <message>
         <source>drift of the accuracy</source>
-        <translation type="unfinished"></translation>
+        <translation>准确度的漂移</translation>
     </message>
     <message>
         <source>drift of the repeatability</source>
-        <translation type="unfinished"></translation>
+        <translation>重复性的漂移</translation>
     </message>
     <message>
         <source>accuracy of the distance</source>
-        <translation type="unfinished"></translation>
+        <translation>距离的准确度</translation>
     </message>
     <message>
         <source>repeatability of the distance, ±</source>
-        <translation type="unfinished"></translation>
+        <translation>距离的重复性，±</translation>
     </message>
     <message>
         <source>the instrument alone scatters as much as what it measured at %1: nothing is left that could be called the robot&apos;s</source>
-        <translation type="unfinished"></translation>
+        <translation>在 %1 处仅仪器的分散性就与其测得的一样大：没有可归于机器人的部分</translation>
     </message>
     <message>
         <source>two series are called &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>有两个系列名为 &apos;%1&apos;</translation>
     </message>
     <message>
         <source>there is no commanded pose &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>没有指令位姿 &apos;%1&apos;</translation>
     </message>
     <message>
         <source>%1 has fewer than three cycles</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的循环少于三次</translation>
     </message>
     <message>
         <source>row %1 has angles, though its pose is commanded without them</source>
-        <translation type="unfinished"></translation>
+        <translation>第 %1 行有角度，而其位姿的指令没有角度</translation>
     </message>
     <message>
         <source>row %1 has no angles, though its pose is commanded with them</source>
-        <translation type="unfinished"></translation>
+        <translation>第 %1 行没有角度，而其位姿的指令有角度</translation>
     </message>
     <message>
         <source>the coordinates at %1 are too large</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 处的坐标过大</translation>
     </message>
     <message>
         <source>pose &apos;%1&apos; is commanded twice</source>
-        <translation type="unfinished"></translation>
+        <translation>位姿 &apos;%1&apos; 的指令给出了两次</translation>
     </message>
     <message>
         <source>pose &apos;%1&apos; is commanded with some angles and without others</source>
-        <translation type="unfinished"></translation>
+        <translation>位姿 &apos;%1&apos; 的指令只有部分角度，缺少其他角度</translation>
     </message>
     <message>
         <source>some poses are commanded with all angles and others are not</source>
-        <translation type="unfinished"></translation>
+        <translation>部分位姿的指令有全部角度，其他的没有</translation>
     </message>
     <message>
         <source>no cycles were measured at pose &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>在位姿 &apos;%1&apos; 没有测得循环</translation>
     </message>
     <message>
         <source>a distance from pose &apos;%1&apos; to itself</source>
-        <translation type="unfinished"></translation>
+        <translation>从位姿 &apos;%1&apos; 到其自身的距离</translation>
     </message>
     <message>
         <source>the distance from &apos;%1&apos; to &apos;%2&apos; is there twice</source>
-        <translation type="unfinished"></translation>
+        <translation>从 &apos;%1&apos; 到 &apos;%2&apos; 的距离出现了两次</translation>
     </message>
     <message>
         <source>poses &apos;%1&apos; and &apos;%2&apos; have different numbers of cycles</source>
-        <translation type="unfinished"></translation>
+        <translation>位姿 &apos;%1&apos; 和 &apos;%2&apos; 的循环次数不同</translation>
     </message>
     <message>
         <source>the coordinates of the fixed target in row %1 are too large</source>
-        <translation type="unfinished"></translation>
+        <translation>第 %1 行中固定目标的坐标过大</translation>
     </message>
     <message>
         <source>U of the instrument and the largest ratio go together: enter both, or neither</source>
-        <translation type="unfinished"></translation>
+        <translation>仪器的 U 与最大比值须同时给出：两者都输入，或都不输入</translation>
     </message>
     <message>
         <source>AP by scatter alone</source>
-        <translation type="unfinished"></translation>
+        <translation>仅分散性的 AP</translation>
     </message>
     <message>
         <source>RP, few cycles allowed for</source>
-        <translation type="unfinished"></translation>
+        <translation>RP，已计入循环次数少</translation>
     </message>
     <message>
         <source>u of it</source>
-        <translation type="unfinished"></translation>
+        <translation>其 u</translation>
     </message>
     <message>
         <source>Where AP is not twice what the scatter of the cycles alone makes of it, it says little about the robot.</source>
-        <translation type="unfinished"></translation>
+        <translation>若 AP 不到仅由循环的分散性所产生值的两倍，则它对机器人说明不了多少。</translation>
     </message>
     <message>
         <source>largest s of an axis</source>
-        <translation type="unfinished"></translation>
+        <translation>轴的最大 s</translation>
     </message>
     <message>
         <source>middle</source>
-        <translation type="unfinished"></translation>
+        <translation>中间</translation>
     </message>
     <message>
         <source>smallest</source>
-        <translation type="unfinished"></translation>
+        <translation>最小</translation>
     </message>
     <message>
         <source>mean RP over that of many cycles</source>
-        <translation type="unfinished"></translation>
+        <translation>平均 RP 与多次循环的 RP 之比</translation>
     </message>
     <message>
         <source>relative u of RP</source>
-        <translation type="unfinished"></translation>
+        <translation>RP 的相对 u</translation>
     </message>
     <message>
         <source>conforms</source>
-        <translation type="unfinished"></translation>
+        <translation>合格</translation>
     </message>
     <message>
         <source>does not conform</source>
-        <translation type="unfinished"></translation>
+        <translation>不合格</translation>
     </message>
     <message>
         <source>not decided</source>
-        <translation type="unfinished"></translation>
+        <translation>未判定</translation>
     </message>
     <message>
         <source>rated</source>
-        <translation type="unfinished"></translation>
+        <translation>额定</translation>
     </message>
     <message>
         <source>probability of conformity</source>
-        <translation type="unfinished"></translation>
+        <translation>合格概率</translation>
     </message>
     <message>
         <source>risk that it is wrong</source>
-        <translation type="unfinished"></translation>
+        <translation>误判风险</translation>
     </message>
     <message>
         <source>cycles that would decide</source>
-        <translation type="unfinished"></translation>
+        <translation>判定所需循环数</translation>
     </message>
     <message>
         <source>AP of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的 AP</translation>
     </message>
     <message>
         <source>RP of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的 RP</translation>
     </message>
     <message>
         <source>U of the instrument over AP of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>仪器的 U 与 %1 的 AP 之比</translation>
     </message>
     <message>
         <source>U of the instrument over RP of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>仪器的 U 与 %1 的 RP 之比</translation>
     </message>
     <message>
         <source>poses</source>
-        <translation type="unfinished"></translation>
+        <translation>位姿</translation>
     </message>
     <message>
         <source>mean AP</source>
-        <translation type="unfinished"></translation>
+        <translation>平均 AP</translation>
     </message>
     <message>
         <source>largest AP</source>
-        <translation type="unfinished"></translation>
+        <translation>最大 AP</translation>
     </message>
     <message>
         <source>quantile of AP for the probability of a decision</source>
-        <translation type="unfinished"></translation>
+        <translation>判定概率下的 AP 分位数</translation>
     </message>
     <message>
         <source>%1 poses are too few to bound this quantile: the largest of %2 poses does, with the same probability.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 个位姿太少，不能给出该分位数的上限：%2 个位姿中的最大值可以，概率相同。</translation>
     </message>
     <message>
         <source>two-face: distance of both readings across the beam</source>
-        <translation type="unfinished"></translation>
+        <translation>双面：两读数间垂直于光束的距离</translation>
     </message>
     <message>
         <source>length; a: scale of the references</source>
-        <translation type="unfinished"></translation>
+        <translation>长度；a：参考长度的尺度</translation>
     </message>
     <message>
         <source>decision, ISO 14253-1</source>
-        <translation type="unfinished"></translation>
+        <translation>判定，ISO 14253-1</translation>
     </message>
     <message>
         <source>scale of the reference lengths</source>
-        <translation type="unfinished"></translation>
+        <translation>参考长度的尺度</translation>
     </message>
     <message>
         <source>uncertainty of the test</source>
-        <translation type="unfinished"></translation>
+        <translation>检测的不确定度</translation>
     </message>
     <message>
         <source>uncertainty of the test values</source>
-        <translation type="unfinished"></translation>
+        <translation>检测值的不确定度</translation>
     </message>
     <message>
         <source>measured length at position %1</source>
-        <translation type="unfinished"></translation>
+        <translation>位置 %1 处的实测长度</translation>
     </message>
     <message>
         <source>distance of both faces at position %1</source>
-        <translation type="unfinished"></translation>
+        <translation>位置 %1 处盘左盘右的距离</translation>
     </message>
     <message>
         <source>error at position %1</source>
-        <translation type="unfinished"></translation>
+        <translation>位置 %1 处的误差</translation>
     </message>
     <message>
         <source>there are two tests of position &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>位置 &apos;%1&apos; 有两次检测</translation>
     </message>
     <message>
         <source>the length at position &apos;%1&apos; has no reference</source>
-        <translation type="unfinished"></translation>
+        <translation>位置 &apos;%1&apos; 处的长度没有参考值</translation>
     </message>
     <message>
         <source>the two-face test of position &apos;%1&apos; has a reference length</source>
-        <translation type="unfinished"></translation>
+        <translation>位置 &apos;%1&apos; 的双面检测有参考长度</translation>
     </message>
     <message>
         <source>nothing says the MPE of position &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>无从得知位置 &apos;%1&apos; 的 MPE</translation>
     </message>
     <message>
         <source>The tracker conforms at every position.</source>
-        <translation type="unfinished"></translation>
+        <translation>跟踪仪在每个位置均合格。</translation>
     </message>
     <message>
         <source>The tracker does not conform.</source>
-        <translation type="unfinished"></translation>
+        <translation>跟踪仪不合格。</translation>
     </message>
     <message>
         <source>Some positions are not decided: the test is not good enough to tell.</source>
-        <translation type="unfinished"></translation>
+        <translation>部分位置未判定：检测不够好，无法判断。</translation>
     </message>
     <message>
         <source>distance %1</source>
-        <translation type="unfinished"></translation>
+        <translation>距离 %1</translation>
     </message>
     <message>
         <source>pose %1</source>
-        <translation type="unfinished"></translation>
+        <translation>位姿 %1</translation>
     </message>
     <message>
         <source>directions of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的方向</translation>
     </message>
     <message>
         <source>drift of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的漂移</translation>
     </message>
     <message>
         <source>base of the robot</source>
-        <translation type="unfinished"></translation>
+        <translation>机器人基座</translation>
     </message>
     <message>
         <source>references</source>
-        <translation type="unfinished"></translation>
+        <translation>参考长度</translation>
     </message>
     <message>
         <source>tracker</source>
-        <translation type="unfinished"></translation>
+        <translation>跟踪仪</translation>
     </message>
     <message>
         <source>&apos;%1&apos; in row %2 of %3 must be %4, not %5: %6</source>
-        <translation type="unfinished"></translation>
+        <translation>%3 第 %2 行中的 &apos;%1&apos; 必须是 %4，而不是 %5：%6</translation>
     </message>
     <message>
         <source>%1 must be a number, not %2: %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 必须是数字，而不是 %2：%3</translation>
     </message>
     <message>
         <source>%1 must be true or false, not %2: %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 必须是 true 或 false，而不是 %2：%3</translation>
     </message>
     <message>
         <source>a difference of temperatures is given in %1</source>
-        <translation type="unfinished"></translation>
+        <translation>温差以 %1 给出</translation>
     </message>
     <message>
         <source>write true or false, without quotes</source>
-        <translation type="unfinished"></translation>
+        <translation>写 true 或 false，不加引号</translation>
     </message>
     <message>
         <source>write a text in quotes</source>
-        <translation type="unfinished"></translation>
+        <translation>写带引号的文本</translation>
     </message>
     <message>
         <source>write it in quotes: &quot;%1&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>写在引号中：&quot;%1&quot;</translation>
     </message>
     <message>
         <source>write a number without quotes, such as 0.25, or null where there is none</source>
-        <translation type="unfinished"></translation>
+        <translation>写不带引号的数字，如 0.25；没有时写 null</translation>
     </message>
     <message>
         <source>write %1, without quotes</source>
-        <translation type="unfinished"></translation>
+        <translation>写 %1，不加引号</translation>
     </message>
     <message>
         <source>write a number in %1, the unit of the column, without quotes</source>
-        <translation type="unfinished"></translation>
+        <translation>写一个数字，以列的单位 %1 表示，不加引号</translation>
     </message>
     <message>
         <source>write %1, without quotes: the unit of the column is %2</source>
-        <translation type="unfinished"></translation>
+        <translation>写 %1，不加引号：列的单位是 %2</translation>
     </message>
     <message>
         <source>write %1</source>
-        <translation type="unfinished"></translation>
+        <translation>写 %1</translation>
     </message>
     <message>
         <source>observations that miss what the others agree on by more than %1 m, and points that nothing tells, are left out, as Gama does</source>
-        <translation type="unfinished"></translation>
+        <translation>与其他观测的一致结果相差超过 %1 m 的观测值，以及无法确定的点，均予略去，与 Gama 相同</translation>
     </message>
     <message>
         <source>the file asks for standard deviations a posteriori: for these choose uncertainties as seen, one factor s_0</source>
-        <translation type="unfinished"></translation>
+        <translation>文件要求后验标准偏差：为此请选择“按所见值，一个系数 s_0”的不确定度</translation>
     </message>
     <message>
         <source>%1: readings are not reduced to an ellipsoid</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：读数不归算到椭球</translation>
     </message>
     <message>
         <source>update-constrained-coordinates: the datum keeps the coordinates of the file</source>
-        <translation type="unfinished"></translation>
+        <translation>update-constrained-coordinates：基准保持文件的坐标</translation>
     </message>
     <message>
         <source>Accuracy and repeatability, from the cycles as they are</source>
-        <translation type="unfinished"></translation>
+        <translation>由循环原样得到的准确度和重复性</translation>
     </message>
     <message>
         <source>cycles</source>
-        <translation type="unfinished"></translation>
+        <translation>循环</translation>
     </message>
     <message>
         <source>What few cycles do to RP</source>
-        <translation type="unfinished"></translation>
+        <translation>循环次数少对 RP 的影响</translation>
     </message>
     <message>
         <source>Conformity with the maker&apos;s figures</source>
-        <translation type="unfinished"></translation>
+        <translation>与制造商指标的符合性</translation>
     </message>
     <message>
         <source>decision</source>
-        <translation type="unfinished"></translation>
+        <translation>判定</translation>
     </message>
     <message>
         <source>Is the instrument good enough</source>
-        <translation type="unfinished"></translation>
+        <translation>仪器是否足够好</translation>
     </message>
     <message>
         <source>AP over the poses</source>
-        <translation type="unfinished"></translation>
+        <translation>全部位姿的 AP</translation>
     </message>
     <message>
         <source>Accuracy and repeatability of the poses</source>
-        <translation type="unfinished"></translation>
+        <translation>位姿的准确度和重复性</translation>
     </message>
     <message>
         <source>AP, RP</source>
-        <translation type="unfinished"></translation>
+        <translation>AP、RP</translation>
     </message>
     <message>
         <source>AP</source>
-        <translation type="unfinished"></translation>
+        <translation>AP</translation>
     </message>
     <message>
         <source>RP</source>
-        <translation type="unfinished"></translation>
+        <translation>RP</translation>
     </message>
     <message>
         <source>rated AP</source>
-        <translation type="unfinished"></translation>
+        <translation>额定 AP</translation>
     </message>
     <message>
         <source>rated RP</source>
-        <translation type="unfinished"></translation>
+        <translation>额定 RP</translation>
     </message>
     <message>
         <source>Decisions after ISO 14253-1</source>
-        <translation type="unfinished"></translation>
+        <translation>按 ISO 14253-1 的判定</translation>
     </message>
 </context>
 <context>
@@ -17741,14 +17741,6 @@ sample 1; 2; 3 weights 2; 5; 2（按原样抽取），histogram 0; 1; 2 weights 
     <message>
         <source>stated as</source>
         <translation>给出方式</translation>
-    </message>
-    <message>
-        <source>distribution</source>
-        <translation>分布</translation>
-    </message>
-    <message>
-        <source>That Monte Carlo draws</source>
-        <translation>蒙特卡洛抽样所用的分布</translation>
     </message>
     <message>
         <source>type</source>
@@ -18098,18 +18090,26 @@ sample 1; 2; 3 weights 2; 5; 2（按原样抽取），histogram 0; 1; 2 weights 
     </message>
     <message>
         <source>Kept projects</source>
-        <translation type="unfinished"></translation>
+        <translation>保留的项目</translation>
     </message>
     <message>
         <source>Recover</source>
-        <translation type="unfinished"></translation>
+        <translation>恢复</translation>
     </message>
     <message>
         <source>Later</source>
-        <translation type="unfinished"></translation>
+        <translation>以后</translation>
     </message>
     <message>
         <source>Discard</source>
+        <translation>放弃</translation>
+    </message>
+    <message>
+        <source>distr.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distribution that Monte Carlo draws</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -18279,7 +18279,7 @@ sample 1; 2; 3 weights 2; 5; 2（按原样抽取），histogram 0; 1; 2 weights 
     </message>
     <message>
         <source>Show the Field</source>
-        <translation type="unfinished"></translation>
+        <translation>显示字段</translation>
     </message>
 </context>
 <context>
@@ -18433,7 +18433,7 @@ sample 1; 2; 3 weights 2; 5; 2（按原样抽取），histogram 0; 1; 2 weights 
     </message>
     <message>
         <source>%1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 / %2</translation>
     </message>
 </context>
 <context>
@@ -20147,11 +20147,11 @@ It says “not stated” in these places. They are fields of the project&apos;s 
     <name>covaria::ui::InspectorHead</name>
     <message>
         <source>Entry before</source>
-        <translation type="unfinished"></translation>
+        <translation>上一条目</translation>
     </message>
     <message>
         <source>Entry after</source>
-        <translation type="unfinished"></translation>
+        <translation>下一条目</translation>
     </message>
     <message>
         <source>Properties</source>
@@ -20159,7 +20159,7 @@ It says “not stated” in these places. They are fields of the project&apos;s 
     </message>
     <message>
         <source>Project and documents</source>
-        <translation type="unfinished"></translation>
+        <translation>项目和文档</translation>
     </message>
 </context>
 <context>
@@ -21584,15 +21584,15 @@ It is used by: %1. They will have an error until they use something else.</sourc
     </message>
     <message>
         <source>%1 s left</source>
-        <translation type="unfinished"></translation>
+        <translation>剩余 %1 s</translation>
     </message>
     <message>
         <source>%1 min left</source>
-        <translation type="unfinished"></translation>
+        <translation>剩余 %1 min</translation>
     </message>
     <message>
         <source>%1 h left</source>
-        <translation type="unfinished"></translation>
+        <translation>剩余 %1 h</translation>
     </message>
 </context>
 <context>
@@ -22189,7 +22189,7 @@ It is used by: %1. They will have an error until they use something else.</sourc
     </message>
     <message>
         <source>Show All %1</source>
-        <translation type="unfinished"></translation>
+        <translation>显示全部 %1 个</translation>
     </message>
 </context>
 <context>
