@@ -7,7 +7,6 @@
 #include "core/base/counted_problems.h"
 #include "core/base/file_io.h"
 #include "core/project/table_columns.h"
-#include "core/setup/column_words.h"
 #include "core/setup/message_text.h"
 
 namespace covaria {
@@ -68,14 +67,14 @@ private:
         }
         if (column.kind == FieldKind::flag) {
             if (const auto flag = csv_flag(text)) return *flag;
-            report(line, tell<"column '%1': '%2' is neither true nor false">(column_title(column), text));
+            report(line, tell<"column '%1': '%2' is neither true nor false">(column.key, text));
             return {};
         }
         return column.kind == FieldKind::choice ? choice_key(column, text) : text;
     }
 
     Message not_a_number(const ColumnSpec& column, const std::string& text) const {
-        const Message words = tell<"column '%1': '%2' is not a number">(column_title(column), text);
+        const Message words = tell<"column '%1': '%2' is not a number">(column.key, text);
         if (!csv_number(text, !decimal_comma_)) return words;
         std::string right = text;
         std::replace(right.begin(), right.end(), decimal_comma_ ? '.' : ',', decimal_comma_ ? ',' : '.');

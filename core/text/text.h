@@ -8,7 +8,6 @@
 #include <string_view>
 #include <vector>
 
-
 namespace covaria {
 
 enum class Script { line, below, above };

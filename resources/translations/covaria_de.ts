@@ -17105,10 +17105,6 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
         <translation>%1 Zyklen, normale Streuung der gesehenen Gestalt</translation>
     </message>
     <message>
-        <source>barycentre of %1, %2</source>
-        <translation>Schwerpunkt von %1, %2</translation>
-    </message>
-    <message>
         <source>scatter of the cycles</source>
         <translation>Streuung der Zyklen</translation>
     </message>
@@ -17587,6 +17583,10 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     <message>
         <source>Decisions after ISO 14253-1</source>
         <translation>Entscheidungen nach ISO 14253-1</translation>
+    </message>
+    <message>
+        <source>deviation of the barycentre of %1, %2</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

@@ -17105,10 +17105,6 @@ nu 18 detrás de cualquiera de ellos: grados de libertad</translation>
         <translation>%1 ciclos, dispersión normal de la forma observada</translation>
     </message>
     <message>
-        <source>barycentre of %1, %2</source>
-        <translation>baricentro de %1, %2</translation>
-    </message>
-    <message>
         <source>scatter of the cycles</source>
         <translation>dispersión de los ciclos</translation>
     </message>
@@ -17587,6 +17583,10 @@ nu 18 detrás de cualquiera de ellos: grados de libertad</translation>
     <message>
         <source>Decisions after ISO 14253-1</source>
         <translation>Decisiones según ISO 14253-1</translation>
+    </message>
+    <message>
+        <source>deviation of the barycentre of %1, %2</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

@@ -17104,10 +17104,6 @@ sample 1; 2; 3 weights 2; 5; 2 (그대로 뽑음), histogram 0; 1; 2 weights 5; 
         <translation>사이클 %1회, 드러난 모양의 정규 산포</translation>
     </message>
     <message>
-        <source>barycentre of %1, %2</source>
-        <translation>%1의 무게중심, %2</translation>
-    </message>
-    <message>
         <source>scatter of the cycles</source>
         <translation>사이클의 산포</translation>
     </message>
@@ -17586,6 +17582,10 @@ sample 1; 2; 3 weights 2; 5; 2 (그대로 뽑음), histogram 0; 1; 2 weights 5; 
     <message>
         <source>Decisions after ISO 14253-1</source>
         <translation>ISO 14253-1에 따른 판정</translation>
+    </message>
+    <message>
+        <source>deviation of the barycentre of %1, %2</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

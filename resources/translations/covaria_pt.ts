@@ -17105,10 +17105,6 @@ nu 18 atrás de qualquer um deles: graus de liberdade</translation>
         <translation>%1 ciclos, dispersão normal da forma observada</translation>
     </message>
     <message>
-        <source>barycentre of %1, %2</source>
-        <translation>baricentro de %1, %2</translation>
-    </message>
-    <message>
         <source>scatter of the cycles</source>
         <translation>dispersão dos ciclos</translation>
     </message>
@@ -17587,6 +17583,10 @@ nu 18 atrás de qualquer um deles: graus de liberdade</translation>
     <message>
         <source>Decisions after ISO 14253-1</source>
         <translation>Decisões segundo a ISO 14253-1</translation>
+    </message>
+    <message>
+        <source>deviation of the barycentre of %1, %2</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

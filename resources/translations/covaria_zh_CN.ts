@@ -17104,10 +17104,6 @@ sample 1; 2; 3 weights 2; 5; 2（按原样抽取），histogram 0; 1; 2 weights 
         <translation>%1 次循环，正态分散性，形状按所见</translation>
     </message>
     <message>
-        <source>barycentre of %1, %2</source>
-        <translation>%1 的集群中心，%2</translation>
-    </message>
-    <message>
         <source>scatter of the cycles</source>
         <translation>循环的分散性</translation>
     </message>
@@ -17586,6 +17582,10 @@ sample 1; 2; 3 weights 2; 5; 2（按原样抽取），histogram 0; 1; 2 weights 
     <message>
         <source>Decisions after ISO 14253-1</source>
         <translation>按 ISO 14253-1 的判定</translation>
+    </message>
+    <message>
+        <source>deviation of the barycentre of %1, %2</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

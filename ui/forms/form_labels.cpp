@@ -13,7 +13,7 @@ namespace covaria::ui {
 namespace {
 
 constexpr int narrowest_list = 10;  // letters
-constexpr int widest_field = 30;    // digits: the room of the narrowest inspector
+constexpr int widest_field = 240;   // px: the room of the narrowest inspector, whatever the font
 constexpr int widest_label = 12;    // digits, 96 px at the usual size: longer titles take a second line
 
 QString label_of(const std::string& title) {
@@ -48,7 +48,7 @@ int wanted_width(const QWidget& editor) {
         text = metrics.horizontalAdvance(line->text());
         beside = 2 * metrics.horizontalAdvance(QLatin1Char('0'));
     }
-    return std::min(text + beside, widest_field * metrics.horizontalAdvance(QLatin1Char('0')));
+    return std::min(text + beside, widest_field);
 }
 
 }  // namespace

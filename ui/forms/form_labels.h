@@ -16,14 +16,10 @@ void wrap_label(QLabel& label);
 /// Wraps all labels beside fields on the page.
 void wrap_labels(const QWidget& page);
 
-<<<<<<< HEAD
 /// A list or a line that shows more than has room beside its label stands below it.
 void put_long_fields_below(const QWidget& page);
 
-/// First letter as at the beginning of a sentence: for words that come in lower case.
-=======
 /// The words with a first letter as at the beginning of a sentence; they come in lower case.
->>>>>>> 929bb6b691e0249f9bcc5f6591448a914851e939
 QString as_label(const QString& words);
 
 /// A list in a form is as narrow as the form must be; opened it shows its entries whole.

@@ -21,6 +21,14 @@
 namespace covaria::ui {
 
 namespace {
+
+/// All cells of the first rows, those of columns that have no room in the view as well.
+QModelIndexList cells_of(const QAbstractItemModel& model, int rows) {
+    QModelIndexList cells;
+    for (int row = 0; row < rows; ++row)
+        for (int column = 0; column < model.columnCount(); ++column) cells << model.index(row, column);
+    return cells;
+}
 constexpr int most_rows_measured = 200;  // limit for pasted or imported rows
 constexpr int widest_column = 320;       // limit of widths that no user has set
 constexpr int far_too_wide = 60;
@@ -284,15 +292,9 @@ void SpreadsheetView::contextMenuEvent(QContextMenuEvent* event) {
 /// A whole table is copied with its heads, and without the row for new ones.
 void SpreadsheetView::copy() {
     QModelIndexList cells = selectedIndexes();
-    int columns = 0;
-    for (int column = 0; column < model_.columnCount(); ++column) columns += !isColumnHidden(column);
+    const int columns = horizontalHeader()->count() - horizontalHeader()->hiddenSectionCount();
     const bool whole = cells.size() > 1 && cells.size() == qsizetype(model_.rowCount()) * columns;
-    if (whole) {  // with what has no room in the view
-        cells.clear();
-        for (int row = 0; row < filled_rows(); ++row)
-            for (int column = 0; column < model_.columnCount(); ++column)
-                cells << model_.index(row, column);
-    }
+    if (whole) cells = cells_of(model_, filled_rows());
     QGuiApplication::clipboard()->setText(block_text(cells, whole));
 }
 

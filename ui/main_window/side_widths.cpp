@@ -12,7 +12,7 @@ QList<int> side_widths(const QWidget& window) {
     const int more = std::clamp((window.width() - wide_window) / 6, 0, 96);
     const int forms = window.width() < small_window ? inspector_of_small : inspector + more;
     return {std::min(int(scale * (tree + more)), window.width() / 5),
-            std::min(int(scale * forms), (31 * window.width()) / 100)};
+            std::min(int(scale * forms), (29 * window.width()) / 100)};
 }
 
 }  // namespace covaria::ui

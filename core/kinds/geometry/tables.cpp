@@ -132,9 +132,9 @@ private:
         length(tell<"diameter">(), 2.0 * condition.radius);
         if (condition.angle > 0.0) angle(tell<"angle of the cone">(), condition.angle);
         line(tell<"correlation of diameter and centre along the middle of the arc">(), condition.correlation,
-            {});
+             {});
         line(tell<"angle to both sides of that middle within which the points are">(),
-            Quantity{Unit::of("deg").from_si(condition.covered), Unit::of("deg")}, {});
+             Quantity{Unit::of("deg").from_si(condition.covered), Unit::of("deg")}, {});
     }
     void line(Message words, Cell factor, Cell at_scatter) {
         table_.row({feature_->name, std::move(words), std::move(factor), std::move(at_scatter)});
@@ -173,9 +173,8 @@ Table features_table(const GeometrySetup& setup) {
         const bool free = feature.degrees_of_freedom() > 0;
         const std::size_t i = std::size_t(largest - deviations.d.begin());
         table.row({feature.name, words_of(feature.form()), double(feature.points.size()),
-                              double(feature.degrees_of_freedom()), free ? Cell(feature.s) : Cell(),
-                              free ? Cell(*largest) : Cell(),
-                              free ? Cell(feature.points[i].name) : Cell()});
+                   double(feature.degrees_of_freedom()), free ? Cell(feature.s) : Cell(),
+                   free ? Cell(*largest) : Cell(), free ? Cell(feature.points[i].name) : Cell()});
     }
     table.notes = {
         tell<"s is the root of the sum of squares of the deviations over the degrees of freedom.">()};
@@ -190,8 +189,7 @@ Table deviations_table(const GeometrySetup& setup) {
     table.add("deviation").in(mm).figure(4);
     const bool has_circle = std::any_of(setup.features.begin(), setup.features.end(),
                                         [](const Feature& f) { return f.form() == Form::circle; });
-    if (has_circle)
-        table.add(known_text<"above the plane of the circle">()).in(mm).figure(4);
+    if (has_circle) table.add(known_text<"above the plane of the circle">()).in(mm).figure(4);
     for (const Feature& feature : setup.features) {
         const Deviations deviations = deviations_of(feature.fitted, feature.places());
         // the normal that is stated, not that of the local axes
@@ -199,11 +197,10 @@ Table deviations_table(const GeometrySetup& setup) {
             feature.fitted.sign < 0.0 && (feature.form() == Form::plane || feature.form() == Form::line_2d);
         for (std::size_t i = 0; i < feature.points.size(); ++i) {
             std::vector<Cell> row{feature.name, feature.points[i].name,
-                                       turned ? -deviations.d[i] : deviations.d[i]};
+                                  turned ? -deviations.d[i] : deviations.d[i]};
             if (has_circle)
-                row.push_back(deviations.heights.empty()
-                                  ? Cell()
-                                  : Cell(feature.fitted.sign * deviations.heights[i]));
+                row.push_back(deviations.heights.empty() ? Cell()
+                                                         : Cell(feature.fitted.sign * deviations.heights[i]));
             table.row(std::move(row));
         }
     }

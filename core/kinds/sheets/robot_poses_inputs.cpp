@@ -62,12 +62,12 @@ private:
         for (Eigen::Index axis = 0; axis < 3; ++axis) {
             const std::string symbol = std::string(pose_axes[std::size_t(axis)]) + "_" + number_of(k);
             const double u = std::sqrt(f.covariance(axis, axis) / n);
-            InputQuantity quantity{
-                .symbol = symbol,
-                .name = tell<"barycentre of %1, %2">(label_of(series), pose_axes[std::size_t(axis)]),
-                .unit = Unit::of("mm"),
-                .offset = f.barycentre[axis],
-                .group = group_of(setup_.series[k])};
+            InputQuantity quantity{.symbol = symbol,
+                                   .name = tell<"deviation of the barycentre of %1, %2">(
+                                       label_of(series), pose_axes[std::size_t(axis)]),
+                                   .unit = Unit::of("mm"),
+                                   .offset = f.barycentre[axis] - series.commanded[axis],
+                                   .group = group_of(setup_.series[k])};
             if (u > 0.0) {
                 components[std::size_t(axis)] = inputs_.set.add(
                     scatter(symbol + ".cycles", tell<"scatter of the cycles">(), u, series.cycles()));

@@ -96,10 +96,11 @@ public:
         layout.frames.push_back({own_name<"base of the robot">()});
         for (std::size_t k = 0; k < setup_.series.size(); ++k) {
             const std::size_t i = k * at_.stride;
-            layout.points.push_back({.name = sheets::label_of(setup_.series[k]),
-                                     .kind = PointKind::tool,
-                                     .p_W = Eigen::Vector3d(x[i], x[i + 1], x[i + 2]),
-                                     .inputs = std::array<std::size_t, 3>{i, i + 1, i + 2}});
+            layout.points.push_back(
+                {.name = sheets::label_of(setup_.series[k]),
+                 .kind = PointKind::tool,
+                 .p_W = setup_.series[k].commanded + Eigen::Vector3d(x[i], x[i + 1], x[i + 2]),
+                 .inputs = std::array<std::size_t, 3>{i, i + 1, i + 2}});
         }
         return layout;
     }
@@ -143,8 +144,7 @@ private:
         const std::size_t i = k * at_.stride, place = at_.first_place + 3 * figures_.series[k].pose;
         Real square(0.0);
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            const Real d =
-                x[i + axis] + x[place + axis] - Real(setup_.series[k].commanded[Eigen::Index(axis)]);
+            const Real d = x[i + axis] + x[place + axis];
             square = square + d * d;
         }
         y.set(output++, sqrt(max(square, Real(nothing_square))));

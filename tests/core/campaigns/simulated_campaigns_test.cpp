@@ -75,8 +75,9 @@ void expect_campaigns(const RedundantReadings& stated, const std::vector<double>
         EXPECT_GE(covered[k], 0.93 * campaigns) << k;
         EXPECT_LE(covered[k], 0.97 * campaigns) << k;
         // A right figure is contradicted by chance.
-        if (truth[k] == 1.0)
+        if (truth[k] == 1.0) {
             EXPECT_NEAR(alarms[k], 0.05 * campaigns, 2.0 * std::sqrt(0.05 * 0.95 * campaigns)) << k;
+        }
         std::printf("figure %zu: mean factor² %.4f of %.4f (u %.4f), covered %.1f %%\n", k, mean,
                     truth[k] * truth[k], s / std::sqrt(campaigns), 100.0 * covered[k] / campaigns);
     }

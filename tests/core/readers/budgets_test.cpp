@@ -158,19 +158,14 @@ TEST(ReadSuncal, ImplicitFunctionsAreSolved) {
     expect_refused("suncal", {{replaced(file, ", units: pascal}]", "}]"), 1, "state the unit"}});
 }
 
-// The door of functions that others have typed: a temperature in a product is asked about there too.
-TEST(ReadSuncal, TemperaturesInProductsAreAskedAbout) {
+// Differences of temperatures in the functions that others have typed.
+TEST(ReadSuncal, DifferencesOfTemperaturesAreInKelvin) {
     const auto with = [](const std::string& units) {
         return "- functions: [{name: L, expr: 'L_0*(1 + a*t)', units: mm}]\n  inputs:\n"
                "  - {name: L_0, mean: 1000, units: mm}\n  - {name: a, mean: 1.0e-05, units: 1 / kelvin}\n"
                "  - {name: t, mean: 20, units: " +
                units + "}\n";
     };
-    for (const char* unit : {"degC", "degF"}) {
-        const auto read = read_with("suncal", with(unit));
-        ASSERT_TRUE(read) << read.error().message.english();
-        EXPECT_NE(errors_of(*read).find("is a temperature in degC"), std::string::npos) << errors_of(*read);
-    }
     for (const auto& [unit, kelvin] :
          {std::pair("kelvin", 20.0), {"delta_degC", 20.0}, {"delta_degF", 20.0 / 1.8}}) {
         const auto read = read_with("suncal", with(unit));

@@ -177,7 +177,7 @@ TEST(ProjectResults, TheFilesHaveTheCorrelationsOfTheInputs) {
     for (const OutputResult& of : result->outputs) {
         std::map<std::string, double> signed_contributions;
         for (std::size_t row = 0; row < id.size(); ++row)
-            if (std::get<std::string>(output[row]) == of.quantity.symbol)
+            if (std::get<Symbols>(output[row]) == Symbols{of.quantity.symbol})
                 signed_contributions[std::get<std::string>(id[row])] =
                     number(sensitivity[row]) * number(u[row]);
         double variance = 0.0;

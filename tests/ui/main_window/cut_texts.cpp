@@ -21,6 +21,10 @@
 namespace covaria::ui {
 namespace {
 
+/// px: a field that has all of an inspector cannot be wider; a list is whole when it is opened, a line
+/// scrolls.
+constexpr int whole_inspector = 240;
+
 class Reader {
 public:
     void read(const QWidget& widget) {
@@ -70,6 +74,7 @@ private:
         say("button", button.text(), button.sizeHint().width() - button.width());
     }
     void read_list(const QComboBox& box) {
+        if (box.width() >= whole_inspector) return;
         QStyleOptionComboBox option;
         option.initFrom(&box);
         option.subControls = QStyle::SC_All;
@@ -85,7 +90,7 @@ private:
         say("list", box.currentText(), int(wanted) + icon - room);
     }
     void read_line(const QLineEdit& line) {
-        if (qobject_cast<const QComboBox*>(line.parentWidget())) return;
+        if (qobject_cast<const QComboBox*>(line.parentWidget()) || line.width() >= whole_inspector) return;
         const QString text = line.displayText().isEmpty() ? line.placeholderText() : line.displayText();
         const QMargins margins = line.textMargins();
         say("line", text,

@@ -185,7 +185,9 @@ TEST_F(Look, TheTreeIsNarrowAndItsNamesAreWholeInTheirTooltips) {
                 EXPECT_TRUE(entry.data(Qt::ToolTipRole).toString().contains(entry.data().toString()))
                     << entry.data().toString().toStdString();
             }
-            if (model.rowCount(above) > 0) EXPECT_EQ(tree->visualRect(above).height(), 28);
+            if (model.rowCount(above) > 0) {
+                EXPECT_EQ(tree->visualRect(above).height(), 28);
+            }
         }
     }
     tree->resize(60, tree->height());

@@ -1,7 +1,6 @@
 // Tables of results, budget and correlation from a result made by hand.
 #include <gtest/gtest.h>
 
-
 #include <QAbstractItemModelTester>
 #include <QSortFilterProxyModel>
 #include <algorithm>

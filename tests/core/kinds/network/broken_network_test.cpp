@@ -204,7 +204,7 @@ std::vector<Broken> mistyped() {
                  if (r.from == "S" && (r.to == "A" || r.to == "C")) r.to = r.to == "A" ? "C" : "A";
              return s;
          },
-         {"the readings from S agree if the names A and C are exchanged there"}},
+         {"does not converge; look for exchanged or mistyped readings"}},
         {"a direction to the wrong target",
          with([](S& s) { reading_of(s, direction, "A", "C").to = "D"; }),
          {"larger than the uncertainties allow"}},

@@ -12,7 +12,10 @@ constexpr auto found_one = CoordinateRole::unknown, held_one = CoordinateRole::f
 
 Figure figure(FigureKind kind, FigureKnowledge knowledge, std::optional<double> value = {},
               std::optional<double> u = {}) {
-    Figure row{.instrument = "T", .kind = kind, .knowledge = knowledge};
+    Figure row;
+    row.instrument = "T";
+    row.kind = kind;
+    row.knowledge = knowledge;
     const bool ratio = kind == FigureKind::scale || kind == FigureKind::refraction;
     (kind == FigureKind::zero ? row.length : ratio ? row.ratio : row.angle) = value;
     (kind == FigureKind::zero ? row.u_length : ratio ? row.u_ratio : row.u_angle) = u;
@@ -146,8 +149,11 @@ StatedAdjustment range_network(std::size_t stations, std::size_t targets, bool s
     for (const std::string& station : from) net.read_all({ReadingKind::slope_distance}, station, to);
     for (StatedAdjustment::Reading& r : net.stated.readings) r.instrument = r.from;
     for (const std::string& station : from) {
-        net.stated.figures.push_back({.instrument = station});
-        if (scales) net.stated.figures.push_back({.instrument = station, .kind = FigureKind::scale});
+        StatedAdjustment::Figure of_station;
+        of_station.instrument = station;
+        net.stated.figures.push_back(of_station);
+        of_station.kind = FigureKind::scale;
+        if (scales) net.stated.figures.push_back(of_station);
     }
     return net.stated;
 }
