@@ -17129,7 +17129,7 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
         <translation>Abweichung des gemessenen Ortes von %1, %2</translation>
     </message>
     <message>
-        <source>mean distance %1</source>
+        <source>deviation of the mean distance %1</source>
         <translation>mittlerer Abstand %1</translation>
     </message>
     <message>

@@ -17129,7 +17129,7 @@ nu 18 detrás de cualquiera de ellos: grados de libertad</translation>
         <translation>error del lugar medido de %1, %2</translation>
     </message>
     <message>
-        <source>mean distance %1</source>
+        <source>deviation of the mean distance %1</source>
         <translation>distancia media %1</translation>
     </message>
     <message>

@@ -17128,7 +17128,7 @@ sample 1; 2; 3 weights 2; 5; 2 (그대로 뽑음), histogram 0; 1; 2 weights 5; 
         <translation>%1의 측정된 위치의 오차, %2</translation>
     </message>
     <message>
-        <source>mean distance %1</source>
+        <source>deviation of the mean distance %1</source>
         <translation>평균 거리 %1</translation>
     </message>
     <message>

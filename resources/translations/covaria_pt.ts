@@ -17129,7 +17129,7 @@ nu 18 atrás de qualquer um deles: graus de liberdade</translation>
         <translation>erro do lugar medido de %1, %2</translation>
     </message>
     <message>
-        <source>mean distance %1</source>
+        <source>deviation of the mean distance %1</source>
         <translation>distância média %1</translation>
     </message>
     <message>

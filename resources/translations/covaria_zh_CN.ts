@@ -17128,7 +17128,7 @@ sample 1; 2; 3 weights 2; 5; 2（按原样抽取），histogram 0; 1; 2 weights 
         <translation>%1 的实测位置的误差，%2</translation>
     </message>
     <message>
-        <source>mean distance %1</source>
+        <source>deviation of the mean distance %1</source>
         <translation>平均距离 %1</translation>
     </message>
     <message>

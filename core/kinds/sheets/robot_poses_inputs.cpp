@@ -148,9 +148,9 @@ private:
             own.push_back(scatter(symbol + ".cycles", tell<"scatter of the cycles">(),
                                   f.s / std::sqrt(double(f.cycles)), f.cycles));
         inputs_.set.add({.symbol = symbol,
-                         .name = tell<"mean distance %1">(f.label),
+                         .name = tell<"deviation of the mean distance %1">(f.label),
                          .unit = Unit::of("mm"),
-                         .offset = f.mean,
+                         .offset = f.mean - f.commanded,
                          .group = group},
                         std::move(own));
         add_scaled("RD_" + std::to_string(d + 1), tell<"repeatability of distance %1">(f.label),

@@ -126,7 +126,7 @@ public:
                 y.set(output++, largest);
             }
         for (std::size_t d = 0; d < figures_.distances.size(); ++d) {
-            y.set(output++, abs(Real(x[at_.first_distance + 2 * d] - Real(figures_.distances[d].commanded))));
+            y.set(output++, abs(Real(x[at_.first_distance + 2 * d])));
             y.set(output++, x[at_.first_distance + 2 * d + 1]);
         }
         return Real(0.0) == Real(0.0);
