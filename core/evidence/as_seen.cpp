@@ -44,7 +44,7 @@ TakenFactor one_factor(const RedundantReadings& readings) {
 
 AsSeen by_figures(const RedundantReadings& readings) {
     AsSeen taken{std::vector<TakenFactor>(readings.figures.size()), {}};
-    const Seen seen = see(readings);
+    const Seen& seen = seen_of(readings);
     if (!seen.found) {
         taken.kept = tell<"The residuals give no factors: uncertainties of the readings stay as stated">();
         return taken;
@@ -76,6 +76,18 @@ AsSeen as_seen(const RedundantReadings& readings, UncertaintiesFrom from) {
         taken.kept = tell<
             "The readings have no residuals that could tell their uncertainty: it stays as "
             "stated">();
+    return taken;
+}
+
+AsSeen as_seen(const RedundantReadings* readings, UncertaintiesFrom from, const std::string& place,
+               Problems& problems) {
+    if (from == UncertaintiesFrom::stated) return {};
+    if (!readings) {
+        problems.warning(place, tell<"Nothing is redundant: uncertainties of the readings stay as stated">());
+        return {};
+    }
+    AsSeen taken = as_seen(*readings, from);
+    if (!taken.kept.empty()) problems.warning(place, taken.kept);
     return taken;
 }
 

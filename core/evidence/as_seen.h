@@ -2,8 +2,10 @@
 #pragma once
 
 #include <limits>
+#include <string>
 #include <vector>
 
+#include "core/base/error.h"
 #include "core/evidence/seen.h"
 
 namespace covaria::evidence {
@@ -30,5 +32,9 @@ struct AsSeen {
 /// Takes factors from the residuals. One for all has the degrees of freedom of all figures together, however
 /// few; of separate ones only those that `is_known` allows. Readings without a figure stay as stated.
 AsSeen as_seen(const RedundantReadings& readings, UncertaintiesFrom from);
+/// The same for a set-up, with a warning at `place` of what stays as stated. Null: nothing is redundant; then
+/// there are no factors, as where uncertainties are asked for as stated.
+AsSeen as_seen(const RedundantReadings* readings, UncertaintiesFrom from, const std::string& place,
+               Problems& problems);
 
 }  // namespace covaria::evidence

@@ -79,13 +79,10 @@ std::shared_ptr<const evidence::RedundantReadings> redundant_readings(const Curv
 }
 
 void take_as_seen(CurveSetup& setup, const evidence::RedundantReadings* readings, Problems& problems) {
-    if (setup.from_residuals || setup.uncertainties == evidence::UncertaintiesFrom::stated) return;
-    const std::string place = curve_fields().place(&CurveSetup::uncertainties);
-    if (!readings)
-        return problems.warning(place,
-                                tell<"Nothing is redundant: uncertainties of the readings stay as stated">());
-    const evidence::AsSeen taken = evidence::as_seen(*readings, setup.uncertainties);
-    if (!taken.kept.empty()) problems.warning(place, taken.kept);
+    if (setup.from_residuals) return;
+    const evidence::AsSeen taken = evidence::as_seen(
+        readings, setup.uncertainties, curve_fields().place(&CurveSetup::uncertainties), problems);
+    if (!taken.has_any()) return;
     // Figures stand in the order of their keys, x before y; y has one wherever x has.
     const bool has_x = std::ranges::count_if(setup.points, [](const Point& p) { return p.u_x > 0.0; }) > 1;
     if (has_x) setup.seen_x = taken.factors.front();

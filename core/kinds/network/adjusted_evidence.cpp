@@ -159,10 +159,6 @@ void scale(AdjustedNetwork& network, const std::vector<std::size_t>& figure_of,
     network.whitening = adjustment::SparseRows(by.asDiagonal() * network.whitening);
 }
 
-void warn(Problems& problems, Message words) {
-    problems.warning(adjustment_fields().place(&StatedAdjustment::uncertainties), std::move(words));
-}
-
 }  // namespace
 
 evidence::RedundantReadings redundant_readings(const AdjustedNetwork& network) {
@@ -192,11 +188,10 @@ evidence::RedundantReadings redundant_readings(const AdjustedNetwork& network) {
 
 void take_as_seen(AdjustedNetwork& network, UncertaintiesFrom from, Problems& problems) {
     if (from == UncertaintiesFrom::stated) return;
-    if (network.adjusted->degrees_of_freedom() == 0)
-        return warn(problems, tell<"Nothing is redundant: uncertainties of the readings stay as stated">());
-    network.evidence = std::make_shared<const evidence::RedundantReadings>(redundant_readings(network));
-    const evidence::AsSeen taken = evidence::as_seen(*network.evidence, from);
-    if (!taken.kept.empty()) warn(problems, taken.kept);
+    if (network.adjusted->degrees_of_freedom() > 0)
+        network.evidence = std::make_shared<const evidence::RedundantReadings>(redundant_readings(network));
+    const evidence::AsSeen taken = evidence::as_seen(
+        network.evidence.get(), from, adjustment_fields().place(&StatedAdjustment::uncertainties), problems);
     if (!taken.has_any()) return;
     // With one factor for all, every reading rests on the same estimate.
     const bool one = from == UncertaintiesFrom::one_factor;

@@ -138,12 +138,8 @@ ComponentEvidence FitsWithSharedComponents::evidence(
 
 void take_as_seen(InputSet& inputs, const ComponentEvidence& evidence, evidence::UncertaintiesFrom from,
                   const std::string& place, Problems& problems) {
-    if (from == evidence::UncertaintiesFrom::stated) return;
-    if (!evidence.readings)
-        return problems.warning(place,
-                                tell<"Nothing is redundant: uncertainties of the readings stay as stated">());
-    const evidence::AsSeen taken = evidence::as_seen(*evidence.readings, from);
-    if (!taken.kept.empty()) problems.warning(place, taken.kept);
+    const evidence::AsSeen taken = evidence::as_seen(evidence.readings.get(), from, place, problems);
+    if (!taken.has_any()) return;
     for (std::size_t k = 0; k < evidence.figures.size(); ++k)
         if (taken.factors[k].is_seen())
             take_figure(inputs, evidence.figures[k], taken.factors[k],
