@@ -73,21 +73,18 @@ std::optional<double> deciding_cycles(const Conformity& c, double wanted) {
 }
 
 void add_conformity(Table& table, Message what, const Conformity& c, double wanted) {
-    const bool conforms = c.probability >= wanted, fails = c.probability <= 1.0 - wanted;
+    const Decision decision(c.probability, wanted);
     Cell cycles;
-    if (!conforms && !fails) {
+    if (!decision.conforms && !decision.fails) {
         if (const auto number = deciding_cycles(c, wanted))
             cycles = Measured(double(*number));
         else
             cycles = tell<"none">();
     }
-    table.row({std::move(what), c.figure, c.u, c.rated, c.probability,
-               conforms ? tell<"conforms">()
-               : fails  ? tell<"does not conform">()
-                        : tell<"not decided">(),
-               conforms ? Cell(1.0 - c.probability)
-               : fails  ? Cell(c.probability)
-                        : Cell(),
+    table.row({std::move(what), c.figure, c.u, c.rated, c.probability, decision.words(),
+               decision.conforms ? Cell(1.0 - c.probability)
+               : decision.fails  ? Cell(c.probability)
+                                 : Cell(),
                std::move(cycles)});
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/kinds/sheets/verdict.h"
 #include "core/math/normal_quantile.h"
 
 namespace covaria::sheets {
@@ -158,14 +159,11 @@ std::vector<Table> tracker_tests_tables(const TrackerTestsSetup& setup) {
     std::size_t conforming = 0, failing = 0;
     for (const TrackerTest& t : setup.tests) {
         const double p = within(t.error(), setup.u(t), setup.mpe(t));
-        const bool conforms = p >= setup.probability, fails = p <= 1.0 - setup.probability;
-        conforming += conforms ? 1u : 0u;
-        failing += fails ? 1u : 0u;
+        const Decision decision(p, setup.probability);
+        conforming += decision.conforms ? 1u : 0u;
+        failing += decision.fails ? 1u : 0u;
         table.row({t.position, t.kind == TrackerTestKind::two_face ? tell<"two-face">() : tell<"length">(),
-                   t.error(), 2.0 * setup.u(t), setup.mpe(t), p,
-                   conforms ? tell<"conforms">()
-                   : fails  ? tell<"does not conform">()
-                            : tell<"not decided">()});
+                   t.error(), 2.0 * setup.u(t), setup.mpe(t), p, decision.words()});
     }
     table.notes.push_back(conforming == setup.tests.size() ? tell<"The tracker conforms at every position.">()
                           : failing > 0                    ? tell<"The tracker does not conform.">()

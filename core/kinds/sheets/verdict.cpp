@@ -2,6 +2,10 @@
 
 namespace covaria::sheets {
 
+Message Decision::words() const {
+    return conforms ? tell<"conforms">() : fails ? tell<"does not conform">() : tell<"not decided">();
+}
+
 Table table_of_tests(std::string id, std::string title) {
     Table table{std::move(id), std::move(title)};
     table.add("test");

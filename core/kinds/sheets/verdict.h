@@ -17,6 +17,15 @@ struct StatisticalTest {
     bool passed() const { return (!low || figure >= *low) && (!high || figure <= *high); }
 };
 
+/// Whether something conforms, by the probability that it does and the one that is asked for; between both
+/// nothing is decided (ISO 14253-1, JCGM 106).
+struct Decision {
+    Decision(double probability, double wanted)
+        : conforms(probability >= wanted), fails(probability <= 1.0 - wanted) {}
+    Message words() const;
+    bool conforms, fails;
+};
+
 /// An empty table of tests.
 Table table_of_tests(std::string id, std::string title);
 void add_test(Table& table, const StatisticalTest& test);
