@@ -6,9 +6,9 @@
 
 namespace covaria {
 
-/// Of a cell in a column of this unit: "write 1.5" for the text '1,5'.
+/// Advice for a cell of a column in this unit: "write 1.5" for the text '1,5'.
 Message cell_to_write(const Json& given, FieldKind kind, const Unit& unit);
-/// Of a number field: "write {"value": 1.5, "unit": "mm"}" for the text '1,5 mm'.
+/// Advice for a number field: "write {"value": 1.5, "unit": "mm"}" for the text '1,5 mm'.
 Message number_to_write(const Json& given, const Unit& unit);
 
 }  // namespace covaria

@@ -16,7 +16,7 @@ std::vector<EvaluatedAnalysis> current_results(const Project& project, const Ana
 /// Analyses and studies of the project that failed, with the cause: what results.json lists beside the
 /// results.
 std::vector<FailedAnalysis> failed_results(const Project& project, const AnalysisRunner& runner);
-/// What a document of the project is made from: these results and the failed ones. A certificate, which has
+/// Results that a document of the project is made from, with the failed ones. A certificate, which has
 /// no list of what is missing in it, also gets the analyses that are not up to date.
 ReportMaker::Source document_source(DocumentKind kind, const Project& project, const AnalysisRunner& runner);
 /// Names of those analyses that are not among them.

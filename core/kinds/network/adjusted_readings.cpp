@@ -136,8 +136,9 @@ bool is_distance(ReadingKind kind) {
 /// Derivatives by what the instrument adds to the reading.
 void add_figures(const AdjustedNetwork& network, const AdjustedReading& reading, const double* state,
                  StateTerms& terms) {
+    if (reading.figures.empty()) return;
+    const Eigen::Vector3d v = seen(network, reading, reading.to, state);
     for (const std::size_t f : reading.figures) {
-        const Eigen::Vector3d v = seen(network, reading, reading.to, state);
         switch (network.figures[f].kind) {
             case FigureKind::zero:
             case FigureKind::index:
@@ -222,7 +223,8 @@ double predicted(const AdjustedNetwork& network, const AdjustedReading& reading,
         default:
             break;
     }
-    double value = read_without_fault(network, reading, state);
+    const double without_fault = read_without_fault(network, reading, state);
+    double value = without_fault;
     for (const std::size_t f : reading.figures) {
         const double figure = state[network.figure(f)];
         const FigureKind kind = network.figures[f].kind;
@@ -230,7 +232,7 @@ double predicted(const AdjustedNetwork& network, const AdjustedReading& reading,
             const Eigen::Vector3d v = seen(network, reading, reading.to, state);
             value += figure * v.norm() / v.head<2>().norm();
         } else if (kind == FigureKind::scale) {
-            value += figure * read_without_fault(network, reading, state);
+            value += figure * without_fault;
         } else if (kind != FigureKind::refraction) {
             value += figure;
         }
