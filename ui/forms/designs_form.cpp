@@ -251,10 +251,11 @@ QLineEdit* DesignsForm::build_prices() {
     prices_ = new QLineEdit;
     prices_->setObjectName(QStringLiteral("design_prices"));
     prices_->setAccessibleName(tr("Prices of the rows"));
-    prices_->setPlaceholderText(tr("one for all rows, or one for each: 120; 80; 95"));
+    prices_->setPlaceholderText(QStringLiteral("120; 80; 95"));
     keep_whole(*prices_);
     prices_->setToolTip(
-        tr("What the rows cost, separated by semicolons; needed where the cost is to be small"));
+        tr("What the rows cost, separated by semicolons; needed where the cost is to be small") +
+        QLatin1Char('\n') + tr("one for all rows, or one for each: 120; 80; 95"));
     connect(prices_, &QLineEdit::editingFinished, this, [this] {
         std::vector<double> prices;
         for (const QString& text : prices_->text().split(QLatin1Char(';'), Qt::SkipEmptyParts)) {

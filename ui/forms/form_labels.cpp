@@ -45,10 +45,20 @@ int wanted_width(const QWidget& editor) {
         beside = box->minimumSizeHint().width() -
                  box->minimumContentsLength() * metrics.horizontalAdvance(QLatin1Char('X'));
     } else if (const auto* line = qobject_cast<const QLineEdit*>(&editor)) {
-        text = metrics.horizontalAdvance(line->text());
+        text = metrics.horizontalAdvance(line->text().isEmpty() ? line->placeholderText() : line->text());
         beside = 2 * metrics.horizontalAdvance(QLatin1Char('0'));
     }
     return std::min(text + beside, widest_field);
+}
+
+/// At least as wide as what it shows. A line that is being typed into stays where it is.
+void keep_contents(QWidget& editor) {
+    const auto fit = [&editor, least = editor.minimumWidth()] {
+        if (!editor.hasFocus()) editor.setMinimumWidth(std::max(least, wanted_width(editor)));
+    };
+    fit();
+    if (auto* line = qobject_cast<QLineEdit*>(&editor))
+        QObject::connect(line, &QLineEdit::textChanged, line, fit);
 }
 
 }  // namespace
@@ -81,8 +91,7 @@ void put_long_fields_below(const QWidget& page) {
         for (int row = 0; row < form->rowCount(); ++row) {
             const QLayoutItem* item = form->itemAt(row, QFormLayout::FieldRole);
             QWidget* field = item ? item->widget() : nullptr;
-            if (QWidget* only = field ? only_editor(*field) : nullptr)
-                only->setMinimumWidth(std::max(only->minimumWidth(), wanted_width(*only)));
+            if (QWidget* only = field ? only_editor(*field) : nullptr) keep_contents(*only);
         }
 }
 

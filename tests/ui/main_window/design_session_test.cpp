@@ -28,7 +28,9 @@ protected:
         auto* button = in.findChild<QPushButton*>(QString::fromLatin1(name));
         ASSERT_NE(button, nullptr) << name;
         ASSERT_TRUE(button->isVisible() && button->isEnabled()) << name;
+        settle();  // what was added has its place only then
         bring_into_view(*button);
+        settle();
         QTest::mouseClick(button, Qt::LeftButton);
     }
     const AnalysisEntry& analysis() const {
