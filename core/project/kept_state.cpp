@@ -61,6 +61,20 @@ KeptState state_to_keep(const Project& project, const std::string& analysis, con
     return {analysis, at, std::move(kept)};
 }
 
+KeptState state_to_keep(Project of_results, const Project& now, const std::string& analysis,
+                        const std::string& at) {
+    for (AnalysisEntry& entry : of_results.analyses) {
+        const AnalysisEntry* present = now.find_analysis(entry.id);
+        if (!present) continue;
+        entry.notes = present->notes;
+        entry.studies = present->studies;
+        entry.designs = present->designs;
+        entry.views = present->views;
+        entry.quantity_notes = present->quantity_notes;
+    }
+    return state_to_keep(of_results, analysis, at);
+}
+
 KeptState state_of_other(const Project& project, const std::string& other, const std::string& other_name,
                          const std::string& analysis, const std::string& at) {
     KeptState state = state_to_keep(project, analysis, at);

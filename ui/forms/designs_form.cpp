@@ -16,6 +16,22 @@
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
+namespace {
+
+/// "120; 80; 95": with the decimal sign of the locale, one for all rows or one for each. `wrong`: the first that
+/// is no number.
+std::vector<double> prices_from(const QString& typed, QString& wrong) {
+    std::vector<double> prices;
+    for (const QString& text : typed.split(QLatin1Char(';'), Qt::SkipEmptyParts)) {
+        bool read = false;
+        prices.push_back(QLocale().toDouble(text.trimmed(), &read));
+        if (!read) prices.back() = text.trimmed().toDouble(&read);
+        if (!read && wrong.isEmpty()) wrong = text;
+    }
+    return prices;
+}
+
+}  // namespace
 
 DesignsForm::DesignsForm(Document& document, AnalysisRunner& runner, Selection& selection,
                          std::string analysis, QWidget* parent)
@@ -246,7 +262,6 @@ void DesignsForm::build_reductions(QVBoxLayout& column) {
             });
 }
 
-/// "120; 80; 95": with the decimal sign of the locale, one for all rows or one for each.
 QLineEdit* DesignsForm::build_prices() {
     prices_ = new QLineEdit;
     prices_->setObjectName(QStringLiteral("design_prices"));
@@ -257,14 +272,10 @@ QLineEdit* DesignsForm::build_prices() {
         tr("What the rows cost, separated by semicolons; needed where the cost is to be small") +
         QLatin1Char('\n') + tr("one for all rows, or one for each: 120; 80; 95"));
     connect(prices_, &QLineEdit::editingFinished, this, [this] {
-        std::vector<double> prices;
-        for (const QString& text : prices_->text().split(QLatin1Char(';'), Qt::SkipEmptyParts)) {
-            bool read = false;
-            prices.push_back(QLocale().toDouble(text.trimmed(), &read));
-            if (!read) prices.back() = text.trimmed().toDouble(&read);
-            if (read) continue;
-            return prices_->setToolTip(tr("'%1' is no number; separate prices by semicolons").arg(text));
-        }
+        QString wrong;
+        const std::vector<double> prices = prices_from(prices_->text(), wrong);
+        if (!wrong.isEmpty())
+            return prices_->setToolTip(tr("'%1' is no number; separate prices by semicolons").arg(wrong));
         change(
             [&prices](Design& d) {
                 if (d.choose) d.choose->prices = prices;

@@ -22,6 +22,19 @@ const std::string& some_analysis(const Project& project) {
     return project.analyses.front().id;
 }
 
+TEST(KeptState, KeepsTheNumbersOfTheResultsAndAllElseAsItIsNow) {
+    const Project of_results = a_project();
+    Project now = of_results;
+    now.analyses.front().designs.push_back({.id = "design-new", .name = "Added while results were made"});
+    now.analyses.front().notes = "written since";
+    now.analyses.front().options.seed += 1;
+    const KeptState kept = state_to_keep(of_results, now, some_analysis(now), when);
+    const AnalysisEntry& entry = kept.project->analyses.front();
+    EXPECT_EQ(entry.designs, now.analyses.front().designs);
+    EXPECT_EQ(entry.notes, now.analyses.front().notes);
+    EXPECT_EQ(entry.options, of_results.analyses.front().options);
+}
+
 TEST(KeptState, ComesBackFromTheFileAndChangesNoNumber) {
     Project project = a_project();
     EXPECT_EQ(project_text(project).find("\"kept\":"), std::string::npos);
