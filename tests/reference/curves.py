@@ -7,11 +7,11 @@ from networks import table
 from units import factor, number
 
 
-def evaluate(entry, folder, analysis):
+def evaluate(entry, project):
     setup = entry["setup"]
     if setup.get("uncertainty", "residuals") != "residuals" or setup.get("inverse"):
         raise NotImplementedError("stated uncertainties of the points, inverse use")
-    points = table(setup["points"], folder)
+    points = table(setup["points"], project.folder)
     x, y = [number(p["x"]) for p in points], [number(p["y"]) for p in points]
     origin = number(setup.get("origin", 0))
     powers = range(1 if setup.get("through_origin") else 0, setup.get("degree", 1) + 1)
@@ -34,6 +34,6 @@ def evaluate(entry, folder, analysis):
         one = row([int(j == k) for j in range(len(powers))])
         scale = 1 / x_unit ** power
         results[f"y_{power + 1}", "curve"] = one * scale
-    for i, prediction in enumerate(table(setup.get("predictions", {"columns": [], "rows": []}), folder)):
+    for i, prediction in enumerate(table(setup.get("predictions", {"columns": [], "rows": []}), project.folder)):
         results[f"b_{i + 1}", "use"] = row([(number(prediction["x"]) - origin) ** k for k in powers])
     return results, inputs

@@ -1,4 +1,4 @@
-"""Numbers with exact derivatives: a value of 40 digits and its gradient, a sparse map from input to derivative.
+"""Numbers with exact derivatives: a value of 40 digits, real or complex, and its gradient, a sparse map from input to derivative.
 
 Rules of differentiation are written out, so nothing is shared with the program that is held against this.
 """
@@ -11,7 +11,7 @@ class Dual:
     __slots__ = ("v", "g")
 
     def __init__(self, value, gradient=None):
-        self.v, self.g = mp.mpf(value), gradient or {}
+        self.v, self.g = value if isinstance(value, mp.mpc) else mp.mpf(value), gradient or {}
 
     @staticmethod
     def of(x):
@@ -99,6 +99,33 @@ def cos(x):
     return x.chain(mp.cos(x.v), -mp.sin(x.v))
 
 
+def part(x, of):
+    """Real or imaginary part: linear, so the parts of derivatives."""
+    x = Dual.of(x)
+    return Dual(of(mp.mpc(x.v)), {k: of(mp.mpc(d)) for k, d in x.g.items()})
+
+
+def re(x):
+    return part(x, lambda z: z.real)
+
+
+def im(x):
+    return part(x, lambda z: z.imag)
+
+
+def complex_(a, b):
+    return Dual.of(a) + Dual.of(b) * Dual(mp.mpc(0, 1))
+
+
+def magnitude(x):
+    x = Dual.of(x)
+    return hypot(re(x), im(x)) if isinstance(x.v, mp.mpc) else x if x.v >= 0 else -x
+
+
+COMPLEX = {"re": re, "im": im, "complex": complex_, "polar": lambda r, phi: complex_(r * cos(phi), r * sin(phi)),
+           "conj": lambda z: complex_(re(z), -im(z)), "arg": lambda z: atan2(im(z), re(z)), "abs": magnitude}
+
+
 def tan(x):
     return sin(x) / cos(x)
 
@@ -129,3 +156,15 @@ def acos(x):
 
 def hypot(*parts):
     return sqrt(sum((Dual.of(p) * Dual.of(p) for p in parts), Dual(0)))
+
+
+def sinh(x):
+    return (exp(x) - exp(-Dual.of(x))) / 2
+
+
+def cosh(x):
+    return (exp(x) + exp(-Dual.of(x))) / 2
+
+
+def tanh(x):
+    return sinh(x) / cosh(x)

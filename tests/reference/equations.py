@@ -5,13 +5,13 @@ import mpmath as mp
 
 import dual
 from dual import Dual
-from statements import INFINITE, of_statement, quantile_normal, quantile_student
+from statements import INFINITE, of_distribution, of_statement, quantile_normal, quantile_student
 from units import factor, zero
 
 FUNCTIONS = {name: getattr(dual, name) for name in
-             ("sqrt", "exp", "log", "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "hypot")}
+             ("sqrt", "exp", "log", "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "hypot", "sinh", "cosh", "tanh")} | dual.COMPLEX
 FUNCTIONS |= {"ln": dual.log, "pow": lambda a, b: Dual.of(a) ** b, "pi": Dual(mp.pi),
-              "abs": lambda x: x if x.v >= 0 else -x, "min": lambda *x: min(map(Dual.of, x)), "max": lambda *x: max(map(Dual.of, x)),
+              "if_": lambda condition, yes, no: yes if condition else no, "min": lambda *x: min(map(Dual.of, x)), "max": lambda *x: max(map(Dual.of, x)),
               "log10": lambda x: dual.log(x) / mp.log(10), "log2": lambda x: dual.log(x) / mp.log(2),
               "cbrt": lambda x: Dual.of(x) ** (mp.mpf(1) / 3), "number": lambda text, unit: Dual(mp.mpf(text) * factor(unit) + zero(unit))}
 
@@ -28,18 +28,29 @@ def python_of(expression):
     for i, part in enumerate(parts):
         digits, _, unit = part.partition("[")
         parts[i] = f'number("{digits.strip()}", "{unit.rstrip("]") or "1"}")' if i % 2 else part.replace("^", "**")
-    return "".join(parts).strip()
+    return re.sub(r"\bif\(", "if_(", "".join(parts)).strip()
 
 
 class Inputs:
     """Estimates, components (u, nu) and correlations between components."""
 
     def __init__(self):
-        self.estimate, self.components, self.correlation, self.temperature = {}, [], {}, set()
+        self.estimate, self.components, self.correlation = {}, [], {}
+        self.known, self.estimates = set(), {}
+        self.taken, self.origin = set(), {}  # analyses whose results are inputs, and the component there of a component here
 
     def add(self, symbol, u, nu=INFINITE):
         self.components.append((symbol, u, nu))
         return len(self.components) - 1
+
+    def deviation(self, symbol, u, nu=INFINITE, estimate=None):
+        """A deviation about zero as a dual; the same one where it is asked for again. Those of one `estimate` of variance share its nu."""
+        if symbol not in self.known and u != 0:
+            self.known.add(symbol)
+            i = self.add(symbol, u, nu)
+            if estimate is not None:
+                self.estimates[i] = estimate
+        return Dual(0, {symbol: mp.mpf(1)} if u != 0 else {})
 
     def correlate(self, i, j, r):
         self.correlation[min(i, j), max(i, j)] = mp.mpf(r)
@@ -117,25 +128,80 @@ def inputs_of(entry):
     return inputs
 
 
-def evaluate(entry):
+def value_of(expression, names):
+    return Dual.of(eval(python_of(expression), {"__builtins__": {}}, names))
+
+
+def solved(line, names):
+    """"solve a = 1 [V], b = 2: f = g and h = k": Newton's method, then derivatives of the solution by the theorem of implicit functions."""
+    starts, equations = line.strip()[len("solve"):].split(":", 1)
+    unknowns = [start.split("=", 1) for start in starts.split(",")]
+    symbols = [symbol.strip() for symbol, _ in unknowns]
+    values = mp.matrix([value_of(start, names).v for _, start in unknowns])
+    for _ in range(60):
+        trial = names | {s: Dual(v, {("unknown", s): mp.mpf(1)}) for s, v in zip(symbols, values)}
+        sides = [equation.split("=", 1) for equation in re.split(r"\band\b", equations)]
+        f = [value_of(left, trial) - value_of(right, trial) for left, right in sides]
+        inverse = mp.matrix([[row.g.get(("unknown", s), mp.mpf(0)) for s in symbols] for row in f]) ** -1
+        step = inverse * mp.matrix([row.v for row in f])
+        values -= step
+        if mp.norm(step) < mp.mpf(10) ** (5 - mp.mp.dps) * mp.norm(values):
+            break
+    else:
+        raise NotImplementedError("Newton's method does not settle")
+    keys = {k for row in f for k in row.g if k[0] != "unknown"}
+    return {s: Dual(values[i], {k: -mp.fsum(inverse[i, j] * row.g.get(k, 0) for j, row in enumerate(f)) for k in keys}) for i, s in enumerate(symbols)}
+
+
+def edited(entry, inputs):
+    """Edits of input quantities: another estimate, components in the place of the own ones, none at all."""
+    for edit in entry.get("inputs", []):
+        symbol, given = edit["symbol"], edit.get("estimate")
+        if edit.get("held") or "components" in edit:
+            inputs.components = [(None, u, nu) if s == symbol else (s, u, nu) for s, u, nu in inputs.components]
+        for component in edit.get("components", []):
+            u, mean = of_distribution(component["distribution"], {k: mp.mpf(repr(v)) for k, v in component["parameters"].items()})
+            inputs.estimate[symbol] += mean * factor(component["unit"])
+            inputs.add(symbol, u * factor(component["unit"]), mp.mpf(component.get("degreesOfFreedom", "inf")))
+        if given:  # the expectation of the whole, so also where components have a mean
+            inputs.estimate[symbol] = mp.mpf(repr(given["value"])) * factor(given["unit"]) + zero(given["unit"])
+        if edit.get("combination") == "arithmetic":
+            own = [i for i, (s, _, _) in enumerate(inputs.components) if s == symbol]
+            for i in own:
+                for j in own:
+                    if i < j:
+                        inputs.correlate(i, j, 1)
+
+
+def evaluate(entry, linked=lambda inputs: {}):
     """symbol -> (estimate, Dual over the inputs) of everything that an equation defines, and the inputs."""
     inputs = inputs_of(entry)
+    edited(entry, inputs)
     names = dict(FUNCTIONS)
     names |= {s: Dual(v, {s: mp.mpf(1)}) for s, v in inputs.estimate.items()}
+    names |= linked(inputs)
     defined = {}
     equations = entry["setup"]["equations"]
-    pending = [line for line in (equations if isinstance(equations, list) else equations.split("\n")) if line.split("#")[0].strip()]
+    lines = equations if isinstance(equations, list) else equations.split("\n")
+    pending = [part for line in lines for part in line.split("#")[0].split(";") if part.strip()]
     for _ in range(len(pending) + 1):
         later = []
         for line in pending:
-            if line.lstrip().startswith("solve") or "complex" in line or "polar" in line:
-                raise NotImplementedError("implicit or complex equations")
-            name, expression = line.split("=", 1)
             try:
-                names[name.strip()] = defined[name.strip()] = Dual.of(eval(python_of(expression), {"__builtins__": {}}, names))
+                if line.lstrip().startswith("solve "):
+                    found = solved(line, names)
+                else:
+                    name, expression = line.split("=", 1)
+                    found = {name.strip(): value_of(expression, names)}
             except NameError:
                 later.append(line)
+                continue
+            names |= found
+            defined |= found
         pending = later
     if pending:
         raise NotImplementedError("an estimate that the table does not state")
+    for symbol, z in list(defined.items()):
+        if isinstance(z.v, mp.mpc):
+            defined |= {symbol + "_re": dual.re(z), symbol + "_im": dual.im(z)}
     return defined, inputs

@@ -14,7 +14,12 @@ def uncertainty(gradient, inputs):
 
 
 def effective_degrees_of_freedom(gradient, inputs):
-    """Welch-Satterthwaite (G.2b), for independent components."""
+    """Welch-Satterthwaite (G.2b), for independent components; those of one estimate of variance count as one."""
     u = uncertainty(gradient, inputs)
-    lower = mp.fsum((gradient.get(s, 0) * c) ** 4 / nu for s, c, nu in inputs.components if nu != INFINITE)
+    parts = {}
+    for i, (symbol, c, nu) in enumerate(inputs.components):
+        if nu != INFINITE:
+            key = inputs.estimates.get(i, i), nu
+            parts[key] = parts.get(key, 0) + (gradient.get(symbol, 0) * c) ** 2
+    lower = mp.fsum(part ** 2 / nu for (_, nu), part in parts.items())
     return u ** 4 / lower if lower else INFINITE

@@ -7,13 +7,13 @@ from networks import table
 from units import factor, number
 
 
-def evaluate(entry, folder, analysis):
+def evaluate(entry, project):
     setup, inputs = entry["setup"], Inputs()
     if setup.get("data", "observations") == "summary":
-        groups = [(number(r["mean"]), number(r["s"]), int(r.get("n", setup.get("per_group", 5)))) for r in table(setup["groups"], folder)]
+        groups = [(number(r["mean"]), number(r["s"]), int(r.get("n", setup.get("per_group", 5)))) for r in table(setup["groups"], project.folder)]
     else:
         members = {}
-        for row in table(setup["observations"], folder):
+        for row in table(setup["observations"], project.folder):
             members.setdefault(row["group"], []).append(number(row["value"]))
         groups = []
         for values in members.values():

@@ -39,7 +39,7 @@ LENGTHS = ("slope-distance", "horizontal-distance", "height-difference", "x", "y
 
 
 def with_units(row):
-    """The row with numbers; heads without a unit are in that of the declaration."""
+    """Heads without a unit are in that of the declaration."""
     return {key: mp.mpf(value) * factor(UNIT_OF_U[key]) if key in UNIT_OF_U and isinstance(value, str) else
             mp.mpf(value) if key in ("length", "angle", "height_from", "height_to") and isinstance(value, str) else value for key, value in row.items()}
 
@@ -73,13 +73,13 @@ def computed(row, at, orientation, sense):
     raise NotImplementedError(kind)
 
 
-def evaluate(entry, folder, analysis):
+def evaluate(entry, project):
     setup = entry["setup"]
-    if setup.get("uncertainties", "stated") != "stated" or setup.get("stations") or setup.get("seen_in") or setup.get("instruments") or setup.get("correlations"):
-        raise NotImplementedError("uncertainties as seen, figures of instruments, tilts, correlations")
-    started = {(o["symbol"], o["group"]): mp.mpf(repr(o["estimate"])) * factor(o["unit"]) for o in analysis["outputs"]}
-    points, readings = table(setup["points"], folder), [with_units(r) for r in table(setup["readings"], folder)]
-    values, datum, known = {}, [], {}
+    if setup.get("uncertainties", "stated") != "stated" or setup.get("stations") or setup.get("correlations") or setup.get("seen_in") or setup.get("instruments"):
+        raise NotImplementedError("uncertainties as seen, tilts, correlations")
+    started = {(o["symbol"], o["group"]): mp.mpf(repr(o["estimate"])) * factor(o["unit"]) for o in project.results[entry["id"]]["outputs"]}
+    points, readings = table(setup["points"], project.folder), [with_units(r) for r in table(setup["readings"], project.folder)]
+    values, datum, known, place = {}, [], {}, {point["name"]: point for point in points}
     for point in points:
         for axis in "xyz":
             state, key = point["height" if axis == "z" else "plane"], (point["name"], axis)
@@ -95,8 +95,9 @@ def evaluate(entry, folder, analysis):
                     datum.append((key, point[axis]))
     for row in readings:
         if row["kind"] == "direction":
-            rounds = "o_" + row["from"] + (f"_{row['round']}" if row.get("round") else "")
-            values[row["from"], "o", row.get("round", "")] = started[rounds, "orientations"]
+            a, b = ([values.get((row[end], axis), known.get((row[end], axis), place[row[end]].get(axis))) for axis in "xy"] for end in ("from", "to"))
+            azimuth = mp.atan2(b[1] - a[1], b[0] - a[0]) if setup.get("sense", "x-to-y") == "x-to-y" else mp.atan2(b[0] - a[0], b[1] - a[1])
+            values.setdefault((row["from"], "o", row.get("round", "")), azimuth - row["angle"])
     index = {key: i for i, key in enumerate(values)}
     inputs = Inputs()
     for i, row in enumerate(readings):
@@ -105,7 +106,7 @@ def evaluate(entry, folder, analysis):
         at = {p["name"]: [known[p["name"], a] if (p["name"], a) in known else Dual(values[p["name"], a], {index[p["name"], a]: mp.mpf(1)})
                           for a in "xyz"] for p in points}
         orientation = {(k[0], k[2]): Dual(v, {index[k]: mp.mpf(1)}) for k, v in values.items() if len(k) == 3}
-        n, constraints = len(index), null_space(values, index, datum, known, readings)
+        n, constraints = len(index), null_space(values, index, datum, readings, [p for p in points if "fixed" in (p["plane"], p["height"])])
         normal, right = mp.zeros(n + len(constraints)), mp.zeros(n + len(constraints), len(readings) + 1)
         for i, row in enumerate(readings):
             h = computed(row, at, orientation, setup.get("sense", "x-to-y"))
@@ -130,32 +131,27 @@ def evaluate(entry, folder, analysis):
     dual = lambda key: Dual(values[key], {i: solution[index[key], i + 1] for i in range(len(readings))}) if key in index else Dual(known[key])
     for key in index:
         if len(key) == 3:
-            results["o_" + key[0] + (f"_{key[2]}" if key[2] else ""), "orientations"] = dual(key)
+            name = "o_" + key[0] + (f"_{key[2]}" if key[2] else ""), "orientations"
+            turns = mp.nint((values[key] - started.get(name, values[key])) / (2 * mp.pi))
+            results[name] = dual(key) - 2 * mp.pi * turns
         else:
             results[key[1], key[0]] = dual(key)
-    for row in table(setup.get("distances", {"columns": [], "rows": []}), folder):
+    for row in table(setup.get("distances", {"columns": [], "rows": []}), project.folder):
         ends = [[dual((row[end], axis)) for axis in "xyz"] for end in ("from", "to")]
         results[f"{row['from']}–{row['to']}", "distances"] = hypot(*(q - p for p, q in zip(*ends)))
     return results, inputs
 
 
-def null_space(values, index, datum, known, readings):
-    """Directions that no reading tells, restricted to the datum: shifts, and the turn about the vertical; about a point that is fixed."""
+def null_space(values, index, datum, readings, fixed):
+    """What no reading tells and no fixed coordinate holds, restricted to the datum: shifts, and the turn about the vertical."""
     if not datum:
         return []
     if any(row["kind"] in ("x", "y", "z", "azimuth", "dx", "dy") for row in readings) or \
             not any(row["kind"].endswith("distance") for row in readings):
         raise NotImplementedError("a free network with coordinates, azimuths or no scale")
-    fixed = {axis: [key for key in known if key[1] == axis] for axis in "xyz"}
-    if len(fixed["x"]) > 1 or len(fixed["x"]) != len(fixed["y"]):
-        raise NotImplementedError("a datum beside several fixed points")
-    rows = [{index[key]: mp.mpf(1) for key, _ in datum if key[1] == axis} for axis in "xyz" if not fixed[axis]]
-    centre = {axis: known[fixed[axis][0]] if fixed[axis] else mp.mpf(0) for axis in "xy"}
-    of = {key: values[key] for key, _ in datum}
-    turn = {}
-    for (name, axis), value in of.items():
-        if axis == "x":
-            turn[index[name, "x"]] = centre["y"] - values[name, "y"]
-        if axis == "y":
-            turn[index[name, "y"]] = values[name, "x"] - centre["x"]
-    return [row for row in rows if row] + [turn]
+    held = [point for point in fixed if point["plane"] == "fixed"]
+    shifts = ("" if held else "xy") + ("" if any(point["height"] == "fixed" for point in fixed) else "z")
+    rows = [{index[key]: mp.mpf(1) for key, _ in datum if key[1] == axis} for axis in shifts]
+    x_0, y_0 = (held[0]["x"], held[0]["y"]) if held else (0, 0)
+    turn = {index[name, axis]: y_0 - values[name, "y"] if axis == "x" else values[name, "x"] - x_0 for (name, axis), _ in datum if axis != "z"}
+    return [row for row in rows + [turn] * (len(held) < 2) if row]

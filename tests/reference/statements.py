@@ -57,3 +57,16 @@ def of_statement(kind, a, b, value):
     if kind == "laplace-scale":
         return a * mp.sqrt(2)
     raise NotImplementedError(kind)
+
+
+def of_distribution(kind, p):
+    """(u, mean) of a distribution with these parameters (JCGM 101 6.4)."""
+    half = lambda: (p["high"] - p["low"]) / 2
+    middle = lambda: (p["high"] + p["low"]) / 2
+    if kind in ("normal", "laplace") and "standard_deviation" in p:
+        return p["standard_deviation"], p.get("mean", mp.mpf(0))
+    if kind in ("rectangular", "triangular", "arcsine"):
+        return half() / mp.sqrt({"rectangular": 3, "triangular": 6, "arcsine": 2}[kind]), middle()
+    if kind == "exponential":
+        return p["mean"], p["mean"]
+    raise NotImplementedError(kind)

@@ -3,9 +3,9 @@ import re
 
 import mpmath as mp
 
-PREFIX = {"": 0, "n": -9, "u": -6, "µ": -6, "m": -3, "c": -2, "d": -1, "h": 2, "k": 3, "M": 6, "G": 9}
+PREFIX = {"": 0, "p": -12, "n": -9, "u": -6, "µ": -6, "m": -3, "c": -2, "d": -1, "h": 2, "k": 3, "M": 6, "G": 9}
 BASE = {"m": 1, "g": mp.mpf("1e-3"), "s": 1, "A": 1, "K": 1, "rad": 1, "N": 1, "V": 1, "ohm": 1, "Ω": 1, "W": 1, "Hz": 1,
-        "Pa": 1, "J": 1, "C": 1, "l": mp.mpf("1e-3"), "L": mp.mpf("1e-3"), "mol": 1, "cd": 1}
+        "Pa": 1, "J": 1, "C": 1, "H": 1, "F": 1, "l": mp.mpf("1e-3"), "L": mp.mpf("1e-3"), "mol": 1, "cd": 1}
 OTHER = {"1": 1, "": 1, "%": mp.mpf("1e-2"), "ppm": mp.mpf("1e-6"), "deg": mp.pi / 180, "°": mp.pi / 180, "degC": 1,
          "°C": 1, "gon": mp.pi / 200, "mgon": mp.pi / 200000, "arcsec": mp.pi / 648000, "arcmin": mp.pi / 10800, "in": mp.mpf("0.0254"),
          "min": 60, "h": 3600, "cc": mp.pi / 2000000}
