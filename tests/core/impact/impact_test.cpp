@@ -192,7 +192,7 @@ TEST(Impact, ReachesTheAnalysesThatUseTheAsset) {
     question.old_figures = "CMM 7";
     question.files = {file};
     NewFigures figures{"new", {project.assets[1]}, {}};
-    figures.assets[0].setup.values["u_calibration"] = Quantity{1.0, Unit::of("mm")};
+    figures.assets[0].setup.values["u_cal"] = Quantity{1.0, Unit::of("mm")};
     figures.assets[0].certificates = {{.number = "CMM 8"}};
     question.figures = figures;
     const auto impact = impact_of(question);

@@ -118,7 +118,7 @@ TEST(Applicability, HoldsRangesAgainstWhatIsTyped) {
     project.certificate.calibrated = "2026-03-01";
     project.assets[1].certificates = {in_date()};
     auto& ranges = project.assets[1].certificates[0].ranges;
-    const Quantity low{1.0, Unit::of("m")}, high{1119.874, Unit::of("mm")};
+    const Quantity low{1.0, Unit::of("m")}, high{1.2, Unit::of("m")};
     ranges = {{"length", low, high}};
     EXPECT_EQ(uses_in(project, "from-artefacts")[0].verdict.verdict, Applicability::applicable);
     ranges = {{"length", low, Quantity{1119.8, Unit::of("mm")}}};
