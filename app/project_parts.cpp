@@ -38,7 +38,8 @@ const std::vector<Definition>& definitions() {
         {{"reductions", "what a design may pay for"}, "designReduction"},
         {{"boxes", "boxes of a design, in keepOut and hiddenBy"}, "designBox"},
         {{"views", "ways to look at the scene"}, "view"},
-        {{"quantityNotes", "what people wrote about input quantities"}, "quantityNotes"}};
+        {{"quantityNotes", "what people wrote about input quantities"}, "quantityNotes"},
+        {{"certificates", "where the figures of an asset or an analysis come from"}, "figuresCertificate"}};
     return all;
 }
 

@@ -12,6 +12,7 @@
 #include "app/terminal.h"
 #include "core/base/file_io.h"
 #include "core/base/printable.h"
+#include "core/made/applicability.h"
 #include "core/project/stated_requirements.h"
 #include "core/text/numbers.h"
 #include "core/views/seen_table.h"
@@ -68,7 +69,17 @@ TestCase seen_case(const evidence::StatedFigure& figure, const evidence::SeenFig
     return made;
 }
 
-TestSuite suite_of(const EvaluatedAnalysis& evaluated, const Project& project, std::optional<double> level) {
+/// Whatever is not known to be applicable is not met.
+TestCase certificate_case(const CertificateUse& use) {
+    TestCase made{use.holder + ", " + name_of(use.certificate).english(), {}};
+    if (use.verdict.verdict == Applicability::applicable) return made;
+    made.failure = words_of(use.verdict.verdict).english();
+    for (const Message& reason : use.verdict.reasons) made.failure += "; " + reason.english();
+    return made;
+}
+
+TestSuite suite_of(const EvaluatedAnalysis& evaluated, const MadeProject& made, std::optional<double> level) {
+    const Project& project = made.project();
     TestSuite suite{evaluated.analysis->id, {}, {}};
     const auto redundant =
         level && evaluated.analysis->model ? evaluated.analysis->model->redundant_readings() : nullptr;
@@ -83,6 +94,8 @@ TestSuite suite_of(const EvaluatedAnalysis& evaluated, const Project& project, s
         if (verdict.target_uncertainty) suite.cases.push_back(target_case(name, output, verdict));
         if (verdict.lower_limit || verdict.upper_limit) suite.cases.push_back(tolerance_case(name, verdict));
     }
+    for (const CertificateUse& use : figures_used(made, suite.analysis).certificates)
+        suite.cases.push_back(certificate_case(use));
     return suite;
 }
 
@@ -144,7 +157,7 @@ Result<bool> check(const CheckArguments& arguments, const std::stop_token& stop)
     if (!evaluation) return fail(evaluation.error());
     std::vector<TestSuite> suites;
     for (const EvaluatedAnalysis& one : evaluation->analyses)
-        suites.push_back(suite_of(one, (*opened)->project(), arguments.level));
+        suites.push_back(suite_of(one, *evaluation->made, arguments.level));
     for (const FailedAnalysis& failed : evaluation->failed)
         suites.push_back({failed.id, {}, failed.cause.english()});
     if (!arguments.junit.empty())
@@ -161,8 +174,10 @@ Result<bool> check(const CheckArguments& arguments, const std::stop_token& stop)
 Command check_command(CLI::App& app) {
     auto arguments = std::make_shared<CheckArguments>();
     arguments->request.studies = false;
-    CLI::App* command = app.add_subcommand(
-        "check", "Evaluate a project and judge its requirements; status 3 if one is not met");
+    CLI::App* command = app.add_subcommand("check",
+                                           "Evaluate a project and judge its requirements and the "
+                                           "certificates of its figures; status 3 if one is "
+                                           "not met");
     add_examples(*command, {{"check projects/conformity-micrometer.covaria", "every requirement, one a line"},
                             {"check projects/conformity-micrometer.covaria --junit requirements.xml",
                              "as test cases for a build server"},

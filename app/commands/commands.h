@@ -26,6 +26,7 @@ Command submit_command(CLI::App& app);
 Command check_command(CLI::App& app);
 Command seen_command(CLI::App& app);
 Command compare_command(CLI::App& app);
+Command impact_command(CLI::App& app);
 Command design_command(CLI::App& app);
 Command report_command(CLI::App& app);
 Command render_command(CLI::App& app);

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "core/base/in_quotes.h"
+#include "core/made/applicability.h"
 #include "core/made/certificate_gaps.h"
 #include "core/made/project_making.h"
 #include "core/project/certificate_logo.h"
@@ -85,6 +86,7 @@ Problems MadeProject::problems() const {
         all.take(own, place);
         all.take(made_analysis(i).of_studies, place);
     }
+    check_figures(*this, all);
     return all;
 }
 
@@ -117,6 +119,9 @@ std::vector<Message> MadeProject::warnings_of(const std::string& analysis) const
     for (const std::size_t used : graph_.used_by(graph_.number_of_analysis(index)))
         if (graph_.is_asset(used)) add(entries_[used]->problems, &project_->assets[used]);
     add(made_analysis(index).problems, nullptr);
+    for (const CertificateUse& use : figures_used(*this, analysis).certificates)
+        if (is_refused(use.verdict.verdict))
+            warnings.push_back(tell<"%1: %2">(in_quotes(use.holder), sentence_of(use)));
     return warnings;
 }
 

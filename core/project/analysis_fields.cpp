@@ -1,5 +1,6 @@
 #include "core/project/analysis_fields.h"
 
+#include "core/project/asset_certificate_fields.h"
 #include "core/project/design_fields.h"
 #include "core/project/edit_fields.h"
 #include "core/project/options_json.h"
@@ -32,7 +33,9 @@ const JsonFields<AnalysisEntry>& analysis_fields() {
             .add("studies", &AnalysisEntry::studies, ListOf{study_fields()})
             .add("designs", &AnalysisEntry::designs, ListOf{design_fields()})
             .add("views", &AnalysisEntry::views, SavedViewList{})
-            .add("quantityNotes", &AnalysisEntry::quantity_notes, ListOf{quantity_notes_fields()});
+            .add("quantityNotes", &AnalysisEntry::quantity_notes, ListOf{quantity_notes_fields()})
+            .add("measured", &AnalysisEntry::measured)
+            .add("certificates", &AnalysisEntry::certificates, ListOf{asset_certificate_fields()});
     return fields;
 }
 

@@ -1,16 +1,15 @@
 #include "core/project/certificate.h"
 
 #include <algorithm>
-#include <charconv>
-#include <chrono>
 #include <optional>
+
+#include "core/base/dates.h"
 
 namespace covaria {
 
 namespace {
 
 using C = Certificate;
-using Days = std::chrono::sys_days;
 
 constexpr auto lines = CertificateText::lines;
 constexpr auto line_of_text = CertificateText::line;
@@ -96,13 +95,6 @@ std::vector<CertificateField> fields_of_authorisation() {
             {"authorised", "function", "Function", "Of that person in the laboratory.", &C::function}};
 }
 
-std::optional<int> figures(std::string_view text) {
-    int number = 0;
-    const bool all = std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
-    std::from_chars(text.data(), text.data() + text.size(), number);
-    return all ? std::optional(number) : std::nullopt;
-}
-
 bool is_language(const std::string& code) {
     const auto& all = certificate_languages();
     return std::any_of(all.begin(), all.end(),
@@ -129,31 +121,16 @@ std::string keys_of_sites() {
     return keys;
 }
 
-std::optional<Days> date_of(std::string_view text) {
-    if (text.size() != 10 || text[4] != '-' || text[7] != '-') return std::nullopt;
-    const auto year = figures(text.substr(0, 4)), month = figures(text.substr(5, 2)),
-               day = figures(text.substr(8, 2));
-    if (!year || !month || !day) return std::nullopt;
-    const std::chrono::year_month_day date{std::chrono::year(*year), std::chrono::month(unsigned(*month)),
-                                           std::chrono::day(unsigned(*day))};
-    return date.ok() ? std::optional(Days(date)) : std::nullopt;
-}
-
-/// First and last day.
-struct Period {
-    Days first, last;
-};
-std::optional<Period> period_of(const std::string& text, CertificateText kind) {
-    const std::size_t slash = kind == CertificateText::dates ? text.find('/') : std::string::npos;
-    const auto first = date_of(std::string_view(text).substr(0, slash));
-    const auto last = slash == std::string::npos ? first : date_of(std::string_view(text).substr(slash + 1));
-    if (!first || !last || *last < *first) return std::nullopt;
-    return Period{*first, *last};
+/// Of a text of that kind.
+std::optional<Period> period_in(const std::string& text, CertificateText kind) {
+    if (kind == CertificateText::dates) return period_of(text);
+    const auto day = date_of(text);
+    return day ? std::optional(Period{*day, *day}) : std::nullopt;
 }
 
 /// Of a date that is given and is one.
 std::optional<Period> period_in(const Certificate& certificate, std::string Certificate::*member) {
-    return period_of(certificate.*member, certificate_field(member).kind);
+    return period_in(certificate.*member, certificate_field(member).kind);
 }
 
 bool is_country(const std::string& text) {
@@ -244,7 +221,7 @@ Message complaint_about(const CertificateField& field, const std::string& text) 
         return tell<"'%1' must be one of %2; it is '%3'">(title, keys_of_sites(), text);
     const bool interval = field.kind == CertificateText::dates;
     const bool dated = interval || field.kind == CertificateText::date;
-    if (!dated || text.empty() || period_of(text, field.kind)) return Message{};
+    if (!dated || text.empty() || period_in(text, field.kind)) return Message{};
     return interval ? tell<
                           "'%1' must be a date of the form 2026-04-17 or an interval 2026-04-17/2026-04-18; "
                           "it is '%2'">(title, text)

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/project/asset_certificate.h"
 #include "core/project/certificate.h"
 #include "core/project/design.h"
 #include "core/project/kept_state.h"
@@ -27,6 +28,7 @@ struct AssetEntry {
     std::string name = {};
     std::string notes = {};
     Setup setup = {};
+    std::vector<AssetCertificate> certificates = {};  ///< that its figures come from; none: they are assumed
     bool operator==(const AssetEntry&) const = default;
 };
 
@@ -102,6 +104,9 @@ struct AnalysisEntry {
     std::vector<Design> designs = {};
     std::vector<SavedView> views = {};  ///< of its scene
     std::vector<QuantityNotes> quantity_notes = {};
+    /// Date of the measurement, or an interval of two; empty: that of the project's certificate.
+    std::string measured = {};
+    std::vector<AssetCertificate> certificates = {};  ///< that figures stated in its own set-up come from
     bool operator==(const AnalysisEntry&) const = default;
 };
 

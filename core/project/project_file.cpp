@@ -8,6 +8,7 @@
 #include "core/base/file_io.h"
 #include "core/base/in_quotes.h"
 #include "core/project/analysis_fields.h"
+#include "core/project/asset_certificate_fields.h"
 #include "core/project/certificate_json.h"
 #include "core/project/entry_names.h"
 #include "core/project/json_location.h"
@@ -126,6 +127,7 @@ private:
         asset.name = reader.text("name");
         asset.notes = reader.text("notes");
         read_setup(reader, asset);
+        ListOf{asset_certificate_fields()}.read(reader, "certificates", false, asset.certificates);
         reader.refuse_unknown_keys();
     }
 

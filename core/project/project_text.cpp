@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/project/analysis_fields.h"
+#include "core/project/asset_certificate_fields.h"
 #include "core/project/certificate_json.h"
 #include "core/project/json_writer.h"
 #include "core/project/kind_lookup.h"
@@ -35,6 +36,10 @@ void write_asset(JsonWriter& out, const AssetEntry& asset) {
     member_if_given(out, "name", asset.name);
     member_if_given(out, "notes", asset.notes);
     write_setup_of(out, asset);
+    if (!asset.certificates.empty()) {
+        out.key("certificates");
+        ListOf{asset_certificate_fields()}.write(out, asset.certificates);
+    }
     out.end();
 }
 
@@ -99,6 +104,7 @@ Project numbers_only(Project project) {
     for (AssetEntry& asset : project.assets) {
         asset.name.clear();
         asset.notes.clear();
+        asset.certificates.clear();
         keep_numbers(asset.setup);
     }
     for (AnalysisEntry& analysis : project.analyses) {
@@ -109,6 +115,8 @@ Project numbers_only(Project project) {
         analysis.designs.clear();
         analysis.views.clear();
         analysis.quantity_notes.clear();
+        analysis.measured.clear();
+        analysis.certificates.clear();
         keep_numbers(analysis.setup);
         for (InputEdit& edit : analysis.inputs) {
             if (!edit.components) continue;

@@ -1,7 +1,9 @@
 // Digital Calibration Certificates (PTB's schema, versions 2.3 and later).
 #include <algorithm>
 
+#include "core/base/dates.h"
 #include "core/base/in_quotes.h"
+#include "core/base/sha256.h"
 #include "core/math/normal_quantile.h"
 #include "core/readers/dcc_quantities.h"
 #include "core/readers/entry_texts.h"
@@ -22,7 +24,11 @@ std::string name_in(const std::string& result, const std::string& quantity) {
 
 class CertificateReader {
 public:
-    CertificateReader(const XmlText& xml, const ReadChoice& choice) : xml_(xml), choice_(choice) {}
+    CertificateReader(const XmlText& xml, const std::string& digest, const ReadChoice& choice)
+        : xml_(xml), choice_(choice) {
+        certificate_.digest = digest;
+        certificate_.file = choice.file_name;
+    }
 
     Result<Proposals> read() {
         const pugi::xml_node root = xml_.root();
@@ -53,6 +59,10 @@ private:
         item_ = dcc_name(child_called(items, "item"));
         if (item_.empty()) item_ = dcc_name(items);
         const std::string version = plain_name(root.attribute("schemaVersion").value());
+        certificate_.number = id_;
+        certificate_.issuer = laboratory;
+        certificate_.issued = date_in(core, "issueDate");
+        read_period(core);
         heading_ = "certificate " + (id_.empty() ? plain_name(choice_.file_name) : id_);
         if (!laboratory.empty()) heading_ += ", " + laboratory;
         if (const std::string date = plain_name(text_of_child(core, "endPerformanceDate")); !date.empty())
@@ -65,6 +75,19 @@ private:
                                  tell<"what this version of the schema has beyond version 3">());
         if (choice_.length_unit)
             proposals_.leave_out(0, tell<"the stated unit of lengths: a certificate states its units">());
+    }
+
+    /// Empty for what is no date.
+    static std::string date_in(const pugi::xml_node& core, const char* name) {
+        const std::string text = plain_name(text_of_child(core, name)).substr(0, 10);
+        return date_of(text) ? text : std::string();
+    }
+
+    void read_period(const pugi::xml_node& core) {
+        const std::string begin = date_in(core, "beginPerformanceDate"),
+                          end = date_in(core, "endPerformanceDate");
+        const std::string both = begin + "/" + end;
+        certificate_.calibrated = begin == end || !period_of(both) ? end : both;
     }
 
     Result<void> read_part(const pugi::xml_node& part) {
@@ -137,6 +160,7 @@ private:
         asset.notes = "From " + heading_ + ", line " + std::to_string(quantity.line) +
                       ". u_T, u_var and b are 0: the certificate says nothing of temperature and of "
                       "measurements of it.";
+        asset.certificates = {certificate_};
         asset.setup.values["length"] = Quantity{q.value, q.unit};
         asset.setup.values["evaluation"] = std::string("components");
         asset.setup.values["components"] = components.table();
@@ -166,6 +190,7 @@ private:
                                                                                       stated_));
         proposals_.analyses.push_back(analysis_of("certificate", proposals_.title, "From " + heading_ + ".",
                                                   quantities_, correlations_));
+        proposals_.analyses.back().certificates = {certificate_};
         int number = 0;
         for (AssetEntry& asset : lengths_) {
             const std::string id = id_of(asset.name, "length");
@@ -179,6 +204,7 @@ private:
     const XmlText& xml_;
     const ReadChoice& choice_;
     Proposals proposals_;
+    AssetCertificate certificate_;
     std::string id_, item_, heading_;
     std::vector<StatedQuantity> quantities_;
     std::vector<StatedCorrelation> correlations_;
@@ -194,7 +220,7 @@ Recognition recognise_certificate(std::string_view beginning, const std::string&
 Result<Proposals> read_certificate(const std::string& text, const ReadChoice& choice) {
     const auto xml = XmlText::parse(text);
     if (!xml) return fail(xml.error());
-    return CertificateReader(*xml, choice).read();
+    return CertificateReader(*xml, sha256_of(text), choice).read();
 }
 
 }  // namespace

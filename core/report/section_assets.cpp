@@ -1,4 +1,6 @@
 // Evaluations of the artefacts, instruments and other assets an analysis uses.
+#include "core/made/applicability.h"
+#include "core/report/date_words.h"
 #include "core/report/report_parts.h"
 
 namespace covaria::report_parts {
@@ -22,6 +24,35 @@ void add_asset(Blocks& blocks, const ReportSource& source, const EvaluatedAnalys
     blocks.push_back(std::move(references));
 }
 
+/// How far the figures hold: each certificate that is used, with its verdict, and what is assumed.
+void add_certificates(Blocks& blocks, const ReportSource& source, const EvaluatedAnalysis& evaluated) {
+    const FiguresUsed used = figures_used(source.made, evaluated.analysis->id);
+    const DocumentLanguage& in = source.in;
+    if (!used.certificates.empty()) {
+        TableBuilder table("certificates-" + evaluated.analysis->id, tell<"Certificates of the figures">(),
+                           in);
+        table.text(tell<"Figures of">());
+        table.text(tell<"Certificate">());
+        table.text(tell<"Calibrated">());
+        table.text(tell<"Valid until">());
+        table.text(tell<"Verdict">());
+        for (const CertificateUse& use : used.certificates) {
+            const AssetCertificate& one = use.certificate;
+            const std::string& of = one.calibrated.empty() ? one.issued : one.calibrated;
+            table.row({use.holder, in.say(name_of(one)), date_words(of, in), date_words(one.valid_until, in),
+                       in.say(words_of(use.verdict.verdict))});
+            for (const Message& reason : use.verdict.reasons)
+                table.note(tell<"%1: %2.">(name_of(one), reason));
+        }
+        blocks.push_back(table.take());
+    }
+    if (!used.assumed.empty())
+        blocks.push_back(ParagraphBlock{
+            in.say(tell<"Of %1 artefacts and instruments %2 have no certificate; their figures are assumed: "
+                        "%3.">(used.assets, used.assumed.size(), short_list(used.assumed, 12))),
+            true});
+}
+
 }  // namespace
 
 void add_assets(Blocks& blocks, const ReportSource& source, const EvaluatedAnalysis& evaluated,
@@ -36,8 +67,11 @@ void add_assets(Blocks& blocks, const ReportSource& source, const EvaluatedAnaly
         else
             before.push_back(entry->name);
     }
-    if (part.empty() && before.empty()) return;
+    Blocks certificates;
+    add_certificates(certificates, source, evaluated);
+    if (part.empty() && before.empty() && certificates.empty()) return;
     blocks.push_back(HeadingBlock{2, source.in.say(tell<"Artefacts and instruments">())});
+    blocks.insert(blocks.end(), certificates.begin(), certificates.end());
     if (!before.empty())
         blocks.push_back(ParagraphBlock{
             source.in.say(tell<"Evaluated with an earlier analysis: %1.">(short_list(before, 12)))});

@@ -68,6 +68,20 @@ AnalysisEntry full_analysis() {
                          5,
                          6});
     a.views.push_back({"v", {0, 1, 0}, {0, 0, 1}, {1, 2, 3}, 4, 5, true, {"body:b"}, "body:c"});
+    a.measured = "2026-04-16/2026-04-17";
+    const Quantity degrees{20.0, Unit::of("degC")};
+    a.certificates.push_back({FiguresFrom::report,
+                              "7",
+                              "2",
+                              "X",
+                              "2026-01-02",
+                              "2026-01-03",
+                              "2027-01-03",
+                              "dry",
+                              "7.pdf",
+                              std::string(64, '0'),
+                              {{"T", degrees, degrees}},
+                              {"x"}});
     return a;
 }
 
@@ -93,7 +107,8 @@ TEST(JsonSchema, HasTheKeysThatAreWritten) {
         {"designVariable", written["designs"][0]["variables"][0]},
         {"designReduction", written["designs"][0]["reductions"][0]},
         {"designChoice", written["designs"][0]["choose"]},
-        {"designBox", written["designs"][0]["keepOut"][0]}};
+        {"designBox", written["designs"][0]["keepOut"][0]},
+        {"figuresCertificate", written["certificates"][0]}};
     for (const auto& [name, object] : objects) {
         EXPECT_EQ(keys_of(definitions()[name]["properties"]), keys_of(object)) << name;
         for (const auto& [key, field] : definitions()[name]["properties"].items())

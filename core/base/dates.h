@@ -1,0 +1,23 @@
+// Days as certificates state them: ISO 8601, "2026-04-17", and intervals of two, "2026-04-17/2026-04-18".
+#pragma once
+
+#include <chrono>
+#include <optional>
+#include <string_view>
+
+namespace covaria {
+
+using Days = std::chrono::sys_days;
+
+/// Nothing for what is no date of the calendar.
+std::optional<Days> date_of(std::string_view text);
+
+/// First and last day.
+struct Period {
+    Days first, last;
+    bool operator==(const Period&) const = default;
+};
+/// Of a date, or of two with '/' between them in their order.
+std::optional<Period> period_of(std::string_view text);
+
+}  // namespace covaria
