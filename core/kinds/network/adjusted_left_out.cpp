@@ -15,8 +15,8 @@ namespace {
 
 bool is_lost_without(const StatedAdjustment::Reading& reading, const std::string& point, bool plane) {
     if (plane ? !needs_plane(reading.kind) : !needs_heights(reading.kind)) return false;
-    const bool of_one =
-        reading.kind == ReadingKind::x || reading.kind == ReadingKind::y || reading.kind == ReadingKind::z;
+    const bool of_one = reading.kind == ReadingKind::x || reading.kind == ReadingKind::y ||
+                        reading.kind == ReadingKind::z || is_in_frame(reading.kind);
     return reading.from == point || (!of_one && reading.to == point) ||
            (reading.kind == ReadingKind::angle && reading.second == point);
 }
