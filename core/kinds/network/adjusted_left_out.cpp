@@ -5,7 +5,7 @@
 #include <map>
 #include <utility>
 
-#include "core/kinds/network/adjusted_setup.h"
+#include "core/kinds/network/adjusted_closures.h"
 #include "core/kinds/network/seen_figures.h"
 #include "core/text/numbers.h"
 
@@ -143,6 +143,7 @@ private:
             again_ = take_back();
             return {};
         }
+        if (!std::exchange(compared_, true)) check_closures(*made, problems_);
         if (const auto& seen_in = stated_.seen_in)
             take_seen_elsewhere(*made, *seen_in, seen_in.id, seen_in.name, own);
         if (own.has_errors()) return {};
@@ -310,7 +311,7 @@ private:
     std::vector<LeftOut> points_;
     std::vector<char> kept_;         ///< readings that came back
     std::vector<std::size_t> last_;  ///< left out in the last round
-    bool again_ = false, began_ = false;
+    bool again_ = false, began_ = false, compared_ = false;
 };
 
 }  // namespace
