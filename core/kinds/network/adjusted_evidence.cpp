@@ -32,10 +32,11 @@ bool is_of_tilts(ReadingKind kind) {
     return kind == ReadingKind::tilt_x || kind == ReadingKind::tilt_y;
 }
 
-/// The three coordinates, the three differences and the two tilts are one kind each.
+/// The three coordinates, also in frames, the three differences and the two tilts are one kind each.
 ReadingKind first_alike(ReadingKind kind) {
     if (is_of_coordinates(kind)) return ReadingKind::x;
     if (is_of_differences(kind)) return ReadingKind::dx;
+    if (is_in_frame(kind)) return ReadingKind::frame_x;
     return is_of_tilts(kind) ? ReadingKind::tilt_x : kind;
 }
 
@@ -70,6 +71,10 @@ Message words_of_kind(const FigureKey& key) {
         case ReadingKind::dy:
         case ReadingKind::dz:
             return tell<"coordinate differences">();
+        case ReadingKind::frame_x:
+        case ReadingKind::frame_y:
+        case ReadingKind::frame_z:
+            return tell<"coordinates in frames">();
     }
     return {};
 }

@@ -11,6 +11,7 @@ namespace {
 constexpr std::size_t most_drawn = 600;  ///< sights that can be told apart in one picture
 
 std::string group_of(const AdjustedNetwork& network, const AdjustedReading& reading) {
+    if (reading.frame != AdjustedReading::no_frame) return network.frames[reading.frame].name;
     if (is_read(reading.kind) || reading.tilt != AdjustedReading::no_tilt)
         return network.points[reading.from].name;
     return network.figures[reading.figures.front()].instrument;

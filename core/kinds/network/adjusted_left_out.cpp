@@ -5,7 +5,7 @@
 #include <map>
 #include <utility>
 
-#include "core/kinds/network/adjusted_setup.h"
+#include "core/kinds/network/adjusted_closures.h"
 #include "core/kinds/network/seen_figures.h"
 #include "core/text/numbers.h"
 
@@ -15,8 +15,8 @@ namespace {
 
 bool is_lost_without(const StatedAdjustment::Reading& reading, const std::string& point, bool plane) {
     if (plane ? !needs_plane(reading.kind) : !needs_heights(reading.kind)) return false;
-    const bool of_one =
-        reading.kind == ReadingKind::x || reading.kind == ReadingKind::y || reading.kind == ReadingKind::z;
+    const bool of_one = reading.kind == ReadingKind::x || reading.kind == ReadingKind::y ||
+                        reading.kind == ReadingKind::z || is_in_frame(reading.kind);
     return reading.from == point || (!of_one && reading.to == point) ||
            (reading.kind == ReadingKind::angle && reading.second == point);
 }
@@ -143,6 +143,7 @@ private:
             again_ = take_back();
             return {};
         }
+        if (!std::exchange(compared_, true)) check_closures(*made, problems_);
         if (const auto& seen_in = stated_.seen_in)
             take_seen_elsewhere(*made, *seen_in, seen_in.id, seen_in.name, own);
         if (own.has_errors()) return {};
@@ -310,7 +311,7 @@ private:
     std::vector<LeftOut> points_;
     std::vector<char> kept_;         ///< readings that came back
     std::vector<std::size_t> last_;  ///< left out in the last round
-    bool again_ = false, began_ = false;
+    bool again_ = false, began_ = false, compared_ = false;
 };
 
 }  // namespace

@@ -46,6 +46,32 @@ OutputQuantity output_of(const network::InstrumentFigure& figure) {
             .group = own_name<"instruments">()};
 }
 
+bool is_turned(const network::AdjustedFrame& frame) {
+    return frame.axes(0, 0) != 1.0;
+}
+
+/// A figure of a frame: where it is and how it is turned; of planes and lines they count from where the
+/// search began.
+OutputQuantity output_of(const AdjustedNetwork& network, std::size_t number, const Unit& of_length) {
+    const network::AdjustedFrame& frame = network.frames[number / network::AdjustedFrame::figures];
+    const std::size_t k = number % network::AdjustedFrame::figures;
+    const std::string axis(k < 6 ? along_axes[k % 3] : "");
+    const bool axes = frame.shape == network::FrameShape::axes;
+    const char* letter = k < 3 ? "" : k < 6 ? "r" : "m";
+    const Message words = words_of(frame);
+    return {.symbol = letter + axis + "_" + frame.name,
+            .name = k == 6             ? tell<"the scale of %1">(words)
+                    : k < 3            ? (axes ? tell<"%1, origin along %2">(words, axis)
+                                               : tell<"%1, offset along its %2">(words, axis))
+                    : !axes            ? tell<"%1, tilt about its %2">(words, axis)
+                    : is_turned(frame) ? tell<"%1, turn about %2 after a right angle about y">(words, axis)
+                                       : tell<"%1, turn about %2">(words, axis),
+            .unit = k < 3 ? of_length : Unit::of(k < 6 ? "deg" : "ppm"),
+            .group = own_name<"frames">(),
+            .role = axes ? OutputRole::measurand : OutputRole::intermediate,
+            .periodic = k > 2 && k < 6};
+}
+
 /// Coordinates as surveyors have them, in metres.
 bool is_large(const AdjustedNetwork& network) {
     constexpr double machine_hall = 100.0;  // m
@@ -200,6 +226,10 @@ private:
     void describe_outputs() {
         const Unit unit = Unit::of(is_large(network_) ? "m" : "mm");
         for (const std::size_t place : network_.place_of) {
+            if (place >= network_.frame(0, 0)) {
+                outputs_.push_back(output_of(network_, place - network_.frame(0, 0), unit));
+                continue;
+            }
             if (place >= network_.figure(0)) {
                 outputs_.push_back(output_of(network_.figures[place - network_.figure(0)]));
                 continue;

@@ -129,6 +129,10 @@ void add_leg(const AdjustedNetwork& network, const AdjustedReading& reading, std
     }
 }
 
+bool is_of_tilt(ReadingKind kind) {
+    return kind == ReadingKind::tilt_x || kind == ReadingKind::tilt_y;
+}
+
 bool is_distance(ReadingKind kind) {
     return kind == ReadingKind::slope_distance || kind == ReadingKind::horizontal_distance;
 }
@@ -156,6 +160,15 @@ void add_figures(const AdjustedNetwork& network, const AdjustedReading& reading,
                 break;  // it belongs to the leg: `fall`
         }
     }
+}
+
+/// The number in the state of what is stated of an instrument or of a frame.
+std::size_t place_of_stated(const AdjustedNetwork& network, const AdjustedReading& reading) {
+    const bool scale = reading.kind == ReadingKind::figure_ratio;
+    const std::size_t axis = reading.kind == ReadingKind::tilt_y ? 1 : 0;
+    if (reading.frame != AdjustedReading::no_frame) return network.frame(reading.frame, scale ? 6 : 3 + axis);
+    return is_of_tilt(reading.kind) ? network.tilt(reading.tilt, axis)
+                                    : network.figure(reading.figures.front());
 }
 
 /// The reading of an instrument without fault.
@@ -188,6 +201,10 @@ bool is_of_angle(ReadingKind kind) {
            kind == ReadingKind::figure_angle;
 }
 
+bool is_in_frame(ReadingKind kind) {
+    return kind == ReadingKind::frame_x || kind == ReadingKind::frame_y || kind == ReadingKind::frame_z;
+}
+
 bool is_read(ReadingKind kind) {
     return kind < ReadingKind::tilt_x;
 }
@@ -199,7 +216,8 @@ Unit unit_of_residual(ReadingKind kind) {
 
 bool needs_heights(ReadingKind kind) {
     return kind == ReadingKind::slope_distance || kind == ReadingKind::zenith_angle ||
-           kind == ReadingKind::height_difference || kind == ReadingKind::z || kind == ReadingKind::dz;
+           kind == ReadingKind::height_difference || kind == ReadingKind::z || kind == ReadingKind::dz ||
+           is_in_frame(kind);
 }
 
 bool needs_plane(ReadingKind kind) {
@@ -209,13 +227,15 @@ bool needs_plane(ReadingKind kind) {
 double predicted(const AdjustedNetwork& network, const AdjustedReading& reading, const double* state) {
     switch (reading.kind) {
         case ReadingKind::tilt_x:
-            return state[network.tilt(reading.tilt, 0)];
         case ReadingKind::tilt_y:
-            return state[network.tilt(reading.tilt, 1)];
         case ReadingKind::figure_length:
         case ReadingKind::figure_ratio:
         case ReadingKind::figure_angle:
-            return state[network.figure(reading.figures.front())];
+            return state[place_of_stated(network, reading)];
+        case ReadingKind::frame_x:
+        case ReadingKind::frame_y:
+        case ReadingKind::frame_z:
+            return predicted_in_frame(network, reading, state);
         case ReadingKind::x:
         case ReadingKind::y:
         case ReadingKind::z:
@@ -251,13 +271,15 @@ void derivatives(const AdjustedNetwork& network, const AdjustedReading& reading,
     terms.clear();
     switch (reading.kind) {
         case ReadingKind::tilt_x:
-            return terms.push_back({network.tilt(reading.tilt, 0), 1.0});
         case ReadingKind::tilt_y:
-            return terms.push_back({network.tilt(reading.tilt, 1), 1.0});
         case ReadingKind::figure_length:
         case ReadingKind::figure_ratio:
         case ReadingKind::figure_angle:
-            return terms.push_back({network.figure(reading.figures.front()), 1.0});
+            return terms.push_back({place_of_stated(network, reading), 1.0});
+        case ReadingKind::frame_x:
+        case ReadingKind::frame_y:
+        case ReadingKind::frame_z:
+            return derivatives_in_frame(network, reading, state, terms);
         case ReadingKind::x:
         case ReadingKind::y:
         case ReadingKind::z:
@@ -327,9 +349,25 @@ double offset_of(const AdjustedNetwork& network, const AdjustedReading& reading)
     return r * farthest;
 }
 
+namespace {
+
+Message words_in_frame(const AdjustedNetwork& network, const AdjustedReading& reading) {
+    const Message frame = words_of(network.frames[reading.frame]);
+    if (reading.kind == ReadingKind::figure_ratio) return tell<"the scale of %1">(frame);
+    if (is_of_tilt(reading.kind))
+        return tell<"tilt of %1 about %2">(frame, reading.kind == ReadingKind::tilt_x ? "x" : "y");
+    const char* axis = reading.kind == ReadingKind::frame_x   ? "x"
+                       : reading.kind == ReadingKind::frame_y ? "y"
+                                                              : "z";
+    return tell<"%1 of %2 in %3">(axis, network.points[reading.from].name, frame);
+}
+
+}  // namespace
+
 Message words_of(const AdjustedNetwork& network, const AdjustedReading& reading) {
     const std::string& from = network.points[reading.from].name;
     const std::string& to = network.points[reading.to].name;
+    if (reading.frame != AdjustedReading::no_frame) return words_in_frame(network, reading);
     switch (reading.kind) {
         case ReadingKind::slope_distance:
             return tell<"slope distance %1 – %2">(from, to);
@@ -359,6 +397,10 @@ Message words_of(const AdjustedNetwork& network, const AdjustedReading& reading)
             return tell<"y of %1">(from);
         case ReadingKind::z:
             return tell<"z of %1">(from);
+        case ReadingKind::frame_x:
+        case ReadingKind::frame_y:
+        case ReadingKind::frame_z:
+            return {};  // said above
         case ReadingKind::dx:
             return tell<"difference of x, %1 – %2">(from, to);
         case ReadingKind::dy:

@@ -51,7 +51,10 @@ std::vector<ChoiceOf<ReadingKind>> kinds() {
             {ReadingKind::z, "z", "z of a point"},
             {ReadingKind::dx, "dx", "difference of x"},
             {ReadingKind::dy, "dy", "difference of y"},
-            {ReadingKind::dz, "dz", "difference of z"}};
+            {ReadingKind::dz, "dz", "difference of z"},
+            {ReadingKind::frame_x, "frame-x", "x in a frame"},
+            {ReadingKind::frame_y, "frame-y", "y in a frame"},
+            {ReadingKind::frame_z, "frame-z", "z in a frame"}};
 }
 
 Columns<Stated::Reading> reading_columns() {
@@ -68,6 +71,10 @@ Columns<Stated::Reading> reading_columns() {
              "Of a direction: rounds of one station between which its circle was turned have names; each has "
              "an "
              "orientation of its own.",
+             {.optional = true})
+        .add(&Row::frame, "frame", "frame",
+             "Of a coordinate in a frame: the name of the frame, whose pose the readings tell: that of an "
+             "arm, a scanner, a photogrammetric network.",
              {.optional = true})
         .add(&Row::length, "length", "length", "A length or coordinate as read.",
              {.unit = m, .optional = true})
@@ -127,6 +134,34 @@ Columns<Stated::Figure> figure_columns() {
              {.unit = rad, .optional = true})
         .add(&Row::u_angle, "u_angle", "u of angle", "Standard uncertainty of a stated index or collimation.",
              {.unit = rad, .range = positive, .optional = true});
+}
+
+Columns<Stated::Frame> frame_columns() {
+    using Row = Stated::Frame;
+    const Range positive{.low = 0.0, .low_open = true};
+    return Columns<Row>()
+        .add(&Row::name, "name", "name", "Name of the frame, as in the column of the readings.")
+        .choice(
+            &Row::shape, "shape", "shape",
+            "An own frame with all of its axes; or a plane, from which points are as far as their z in it "
+            "says; or a line along its x-axis, from which their y and z say how far they are.",
+            {{FrameShape::axes, "frame", "own frame"},
+             {FrameShape::plane, "plane", "plane"},
+             {FrameShape::line, "line", "line"}})
+        .choice(&Row::scale, "scale", "scale",
+                "Scale of an own frame: fixed; unknown, so that the readings tell it; stated with u.",
+                {{FigureKnowledge::fixed, "fixed", "fixed"},
+                 {FigureKnowledge::unknown, "unknown", "unknown"},
+                 {FigureKnowledge::stated, "stated", "stated with u"}})
+        .add(&Row::ratio, "ratio", "scale beyond 1",
+             "By how much coordinates in the frame are too long; 0 where it is empty.",
+             {.unit = Unit::of("ppm"), .optional = true})
+        .add(&Row::u_ratio, "u_ratio", "u of scale", "Standard uncertainty of a stated scale.",
+             {.unit = Unit::of("ppm"), .range = positive, .optional = true})
+        .add(&Row::u_tilt, "u_tilt", "u of tilt",
+             "Of an own frame whose z-axis is vertical: within that standard uncertainty about x and about "
+             "y; empty: nothing is known of it.",
+             {.unit = Unit::of("rad"), .range = positive, .optional = true});
 }
 
 Columns<Stated::Correlation> correlation_columns() {
@@ -203,6 +238,10 @@ const Fields<StatedAdjustment>& adjustment_fields() {
             .table(&Stated::stations, "stations", "Instruments that are not levelled",
                    "Where an instrument stands that is not levelled, or not exactly; all others are.",
                    station_columns(), {.optional = true})
+            .table(&Stated::frames, "frames", "Frames, planes and lines",
+                   "Frames that readings name, where more is known of them than that their pose is unknown, "
+                   "and planes and lines on which points are.",
+                   frame_columns(), {.optional = true})
             .table(&Stated::correlations, "correlations", "Correlations of readings",
                    "Correlation coefficients of readings: they change the weights and the uncertainty.",
                    correlation_columns(), {.optional = true})

@@ -81,6 +81,89 @@ void add_stated_figures(const Typed& stated, AdjustedNetwork& made) {
     }
 }
 
+/// Frames of the table, then those that only readings name.
+void take_own_frames(const Typed& stated, AdjustedNetwork& made, Problems& problems) {
+    std::map<std::string, std::size_t> known;
+    for (std::size_t row = 0; row < stated.frames.size(); ++row) {
+        const Typed::Frame& typed = stated.frames[row];
+        const std::string path = adjustment_fields().place(&Typed::frames, row);
+        made.frames.push_back({.name = typed.name, .shape = typed.shape, .source = path});
+        if (!known.try_emplace(typed.name, row).second)
+            problems.error(path, tell<"two frames are called %1">(typed.name));
+        const bool scaled = typed.scale != FigureKnowledge::fixed || typed.ratio || typed.u_ratio;
+        if (typed.shape != FrameShape::axes && (scaled || typed.u_tilt))
+            problems.error(path, tell<"%1 has no scale and no tilt to state">(words_of(made.frames.back())));
+        if (typed.scale == FigureKnowledge::stated && !typed.u_ratio)
+            problems.error(path,
+                           tell<"%1: the u of its stated scale is missing">(words_of(made.frames.back())));
+        if (std::ranges::none_of(stated.readings, [&](const Typed::Reading& r) {
+                return is_in_frame(r.kind) && r.frame == typed.name && !r.left_out;
+            }))
+            problems.error(path, tell<"there is no reading in %1">(words_of(made.frames.back())));
+    }
+    for (std::size_t row = 0; row < stated.readings.size(); ++row) {
+        const Typed::Reading& r = stated.readings[row];
+        if (is_in_frame(r.kind) && !r.left_out && known.try_emplace(r.frame, made.frames.size()).second)
+            made.frames.push_back(
+                {.name = r.frame, .source = adjustment_fields().place(&Typed::readings, row)});
+        if (!is_in_frame(r.kind) || r.left_out) continue;
+        for (const AdjustedPoint& point : made.points)
+            if (point.name == r.from && !point.has(2)) made.frames[known.at(r.frame)].is_flat = true;
+    }
+    for (std::size_t f = 0; f < made.frames.size(); ++f) {
+        AdjustedFrame& frame = made.frames[f];
+        const bool axes = frame.shape == FrameShape::axes, plane = frame.shape == FrameShape::plane,
+                   space = !frame.is_flat;
+        frame.is_found = {axes,
+                          !plane,
+                          (axes || space) && space,
+                          axes ? space : plane,
+                          space,
+                          !plane,
+                          f < stated.frames.size() && stated.frames[f].scale != FigureKnowledge::fixed};
+        if (plane && frame.is_flat)
+            problems.error(frame.source, tell<"%1 has points without heights">(words_of(frame)));
+    }
+}
+
+std::size_t own_frame_of(const AdjustedNetwork& made, const Typed::Reading& typed, const std::string& path,
+                         Problems& problems) {
+    const auto found =
+        std::ranges::find_if(made.frames, [&](const AdjustedFrame& f) { return f.name == typed.frame; });
+    if (typed.frame.empty() || found == made.frames.end()) {
+        problems.error(path,
+                       tell<"a coordinate of %1 in a frame: the name of the frame is missing">(typed.from));
+        return 0;
+    }
+    const bool none = (found->shape == FrameShape::plane && typed.kind != ReadingKind::frame_z) ||
+                      (found->shape == FrameShape::line && typed.kind == ReadingKind::frame_x) ||
+                      (found->is_flat && typed.kind == ReadingKind::frame_z);
+    const auto point =
+        std::ranges::find_if(made.points, [&](const AdjustedPoint& p) { return p.name == typed.from; });
+    if (none) problems.error(path, tell<"%1 has no such coordinate of %2">(words_of(*found), typed.from));
+    if (point != made.points.end() && !point->has(0))
+        problems.error(path,
+                       tell<"a coordinate in %1 needs x and y of %2, which are not part of the network">(
+                           words_of(*found), typed.from));
+    return static_cast<std::size_t>(found - made.frames.begin());
+}
+
+void add_stated_of_frames(const Typed& stated, AdjustedNetwork& made) {
+    for (std::size_t row = 0; row < stated.frames.size(); ++row) {
+        const Typed::Frame& typed = stated.frames[row];
+        const auto add = [&](ReadingKind kind, double value, double u) {
+            AdjustedReading reading{.kind = kind, .frame = row, .value = value, .u = u};
+            reading.source = adjustment_fields().place(&Typed::frames, row);
+            made.readings.push_back(std::move(reading));
+        };
+        if (typed.scale == FigureKnowledge::stated)
+            add(ReadingKind::figure_ratio, typed.ratio.value_or(0.0), *typed.u_ratio);
+        if (!typed.u_tilt || made.frames[row].is_flat) continue;
+        add(ReadingKind::tilt_x, 0.0, *typed.u_tilt);
+        add(ReadingKind::tilt_y, 0.0, *typed.u_tilt);
+    }
+}
+
 void check_parts(const AdjustedNetwork& made, const AdjustedReading& reading, Problems& problems) {
     for (const std::size_t p : {reading.from, reading.to, reading.second}) {
         const AdjustedPoint& point = made.points[p];
@@ -100,7 +183,7 @@ void check_parts(const AdjustedNetwork& made, const AdjustedReading& reading, Pr
 }
 
 bool is_of_one_point(ReadingKind kind) {
-    return kind == ReadingKind::x || kind == ReadingKind::y || kind == ReadingKind::z;
+    return kind == ReadingKind::x || kind == ReadingKind::y || kind == ReadingKind::z || is_in_frame(kind);
 }
 
 /// Whether an instrument that leans reads it by its own axes.
@@ -111,6 +194,15 @@ bool is_by_axes(ReadingKind kind) {
 bool is_left_out(const Typed& stated, const std::string& label) {
     return std::ranges::any_of(stated.readings,
                                [&](const Typed::Reading& r) { return r.left_out && r.label == label; });
+}
+
+void tell_left_out(AdjustedNetwork& made, const AdjustedReading& reading, const Message& why) {
+    made.left_out.push_back({words_of(made, reading), why.empty() ? tell<"by hand">() : why, reading.source});
+}
+
+void begin_scales(const Typed& stated, AdjustedNetwork& made) {
+    for (std::size_t f = 0; f < stated.frames.size(); ++f)
+        made.state[static_cast<Eigen::Index>(made.frame(f, 6))] = stated.frames[f].ratio.value_or(0.0);
 }
 
 class AdjustmentReading {
@@ -126,12 +218,14 @@ public:
         for (std::size_t row = 0; row < stated_.stations.size(); ++row) take_station(row);
         for (std::size_t row = 0; row < stated_.figures.size(); ++row)
             made_.figures.push_back(figure_of_row(stated_, row, made_, problems_));
+        take_own_frames(stated_, made_, problems_);
         for (std::size_t row = 0; row < stated_.readings.size(); ++row) take_reading(row);
         for (std::size_t row = 0; row < stated_.distances.size(); ++row) take_distance(row);
         if (problems_.has_errors()) return {};
         for (std::size_t row = 0; row < stated_.points.size(); ++row) add_stated_coordinates(row);
         add_stated_tilts();
         add_stated_figures(stated_, made_);
+        add_stated_of_frames(stated_, made_);
         number();
         take_correlations();
         weigh();
@@ -217,19 +311,17 @@ private:
         if (typed.kind == ReadingKind::angle && *to == *second)
             return problems_.error(path, tell<"both legs of the angle at %1 go to %2">(typed.from, typed.to));
         take_value(typed, reading);
-        if (typed.left_out) return leave_out(reading, typed.why_left_out);
+        if (typed.left_out) return tell_left_out(made_, reading, typed.why_left_out);
         for (std::size_t f = 0; f < made_.figures.size(); ++f)
             if (is_changed(made_.figures[f], typed)) reading.figures.push_back(f);
         if (typed.kind == ReadingKind::direction) reading.round = round_of(*from, typed.round);
         if (const auto leaning = leaning_.find(*from); leaning != leaning_.end() && is_by_axes(typed.kind))
             reading.tilt = leaning->second;
-        check_parts(made_, reading, problems_);
+        if (is_in_frame(typed.kind))
+            reading.frame = own_frame_of(made_, typed, reading.source, problems_);
+        else
+            check_parts(made_, reading, problems_);
         made_.readings.push_back(std::move(reading));
-    }
-
-    void leave_out(const AdjustedReading& reading, const Message& why) {
-        made_.left_out.push_back(
-            {words_of(made_, reading), why.empty() ? tell<"by hand">() : why, reading.source});
     }
 
     void take_value(const Typed::Reading& typed, AdjustedReading& reading) {
@@ -285,7 +377,8 @@ private:
     void number() {
         const std::size_t coordinates = 3 * made_.points.size(),
                           instruments = coordinates + made_.rounds.size() + 2 * made_.leaning.size(),
-                          places = instruments + made_.figures.size();
+                          places = instruments + made_.figures.size() +
+                                   AdjustedFrame::figures * made_.frames.size();
         made_.state = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(places));
         made_.unknown_of.assign(places, AdjustedNetwork::known);
         for (std::size_t p = 0; p < made_.points.size(); ++p)
@@ -307,11 +400,17 @@ private:
             add_unknown(made_.figure(f));
             finds = true;
         }
+        begin_scales(stated_, made_);
+        for (std::size_t f = 0; f < made_.frames.size(); ++f)
+            for (std::size_t k = 0; k < AdjustedFrame::figures; ++k)
+                if (made_.frames[f].is_found[k]) add_unknown(made_.frame(f, k));
+        finds = finds || !made_.frames.empty();
         if (!finds)
             problems_.error(adjustment_fields().place(&Typed::points),
                             tell<"all points are fixed: there is nothing to be found">());
         static constexpr std::array<const char*, reading_kinds> letters{
-            "s", "d", "r", "a", "t", "v", "h", "x", "y", "z", "dx", "dy", "dz", "lx", "ly", "f", "f", "f"};
+            "s",  "d",  "r",  "a",  "t",  "v",  "h",  "x", "y", "z", "dx",
+            "dy", "dz", "xf", "yf", "zf", "lx", "ly", "f", "f", "f"};
         for (std::size_t i = 0; i < made_.readings.size(); ++i)
             made_.readings[i].symbol =
                 letters[static_cast<std::size_t>(made_.readings[i].kind)] + ("_" + std::to_string(i + 1));

@@ -42,16 +42,21 @@ enum class ReadingKind {
     dx,
     dy,
     dz,
+    frame_x,  ///< in an own frame of unknown pose, or of a plane or line
+    frame_y,
+    frame_z,
     tilt_x,  ///< how an instrument leans about x, then about y: stated, not read
     tilt_y,
     figure_length,  ///< a figure of an instrument: stated, not read
     figure_ratio,
     figure_angle,
 };
-inline constexpr std::size_t reading_kinds = 18;
+inline constexpr std::size_t reading_kinds = 21;
 bool is_of_angle(ReadingKind kind);
 /// Whether it is read of points; false for what is stated of instruments.
 bool is_read(ReadingKind kind);
+/// Whether it is a reading within a frame.
+bool is_in_frame(ReadingKind kind);
 /// Unit in which residuals are shown.
 Unit unit_of_residual(ReadingKind kind);
 /// Whether it needs the heights of its points.
@@ -73,6 +78,10 @@ enum class FigureKind {
 
 enum class FigureKnowledge { unknown, stated, fixed };
 
+/// What a frame that nobody stated is about: all of its axes, or no more than where something flat or
+/// straight lies.
+enum class FrameShape { axes, plane /** of x and y */, line /** along x */ };
+
 /// The set-up as typed, SI.
 struct StatedAdjustment {
     struct Point {
@@ -84,7 +93,7 @@ struct StatedAdjustment {
     struct Reading {
         std::string label = {};
         ReadingKind kind = ReadingKind::slope_distance;
-        std::string from = {}, to = {}, second = {}, round = {}, instrument = {};
+        std::string from = {}, to = {}, second = {}, round = {}, frame = {}, instrument = {};
         std::optional<double> length = {}, angle = {}, u_length = {}, u_angle = {};
         double height_from = 0.0, height_to = 0.0;
         bool left_out = false;
@@ -108,8 +117,15 @@ struct StatedAdjustment {
         FigureKnowledge knowledge = FigureKnowledge::unknown;
         std::optional<double> length, ratio, angle, u_length, u_ratio, u_angle;
     };
+    struct Frame {
+        std::string name = {};
+        FrameShape shape = FrameShape::axes;
+        FigureKnowledge scale = FigureKnowledge::fixed;
+        std::optional<double> ratio = {}, u_ratio = {}, u_tilt = {};
+    };
     std::vector<Point> points;
     std::vector<Reading> readings;
+    std::vector<Frame> frames;
     std::vector<Figure> figures;
     std::vector<Correlation> correlations;
     std::vector<Station> stations;
@@ -135,12 +151,14 @@ struct AdjustedPoint {
 };
 
 struct AdjustedReading {
-    static constexpr std::size_t no_round = static_cast<std::size_t>(-1), no_tilt = no_round;
+    static constexpr std::size_t no_round = static_cast<std::size_t>(-1), no_tilt = no_round,
+                                 no_frame = no_round;
     ReadingKind kind = ReadingKind::slope_distance;
     std::size_t from = 0, to = 0, second = 0;  ///< points
     std::size_t round = no_round;              ///< round of a direction
     std::size_t row = no_round;                ///< row in the table of readings
     std::size_t tilt = no_tilt;                ///< number of the instrument, if it is not levelled
+    std::size_t frame = no_frame;              ///< in which it is, or whose tilt or scale it is
     double value = 0.0, u = 0.0;               ///< SI
     double height_from = 0.0, height_to = 0.0;
     std::vector<std::size_t> figures = {};  ///< figures of the instrument that change it
@@ -168,6 +186,20 @@ struct InstrumentFigure {
     bool is_found = true;
 };
 
+/// A frame whose pose the readings tell: l = (1 + m) Aᵀ (p − p_0 − B t), A = A_0 R_z R_y R_x.
+struct AdjustedFrame {
+    static constexpr std::size_t figures = 7;  ///< t, turns about x, y, z, scale m
+    std::string name = {};
+    FrameShape shape = FrameShape::axes;
+    bool is_flat = false;  ///< of points without heights
+    std::array<bool, figures> is_found{};
+    Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  ///< A_0: as laid before the search
+    Eigen::Matrix3d shifts =
+        Eigen::Matrix3d::Identity();                   ///< B: those of the network, of planes and lines A_0
+    Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< p_0
+    std::string source = {};
+};
+
 /// A reading or point that is not adjusted, and why.
 struct LeftOut {
     Message what, why;
@@ -181,7 +213,7 @@ struct ReadingCorrelation {
 
 /// The network is what its state says: coordinates of all points, then orientations of the rounds, then how
 /// instruments lean that are not levelled: about x and, in its axes then, about y; then figures of
-/// instruments.
+/// instruments; then frames.
 struct AdjustedNetwork {
     static constexpr std::size_t known = static_cast<std::size_t>(-1);
     std::vector<AdjustedPoint> points;
@@ -189,6 +221,7 @@ struct AdjustedNetwork {
     std::vector<Round> rounds;
     std::vector<std::size_t> leaning;  ///< points of instruments that are not levelled
     std::vector<InstrumentFigure> figures;
+    std::vector<AdjustedFrame> frames;
     std::vector<ReadingCorrelation> correlations;
     std::vector<std::array<std::size_t, 2>> distances;
     std::vector<LeftOut> left_out;
@@ -218,6 +251,9 @@ struct AdjustedNetwork {
     std::size_t figure(std::size_t number) const {
         return 3 * points.size() + rounds.size() + 2 * leaning.size() + number;
     }
+    std::size_t frame(std::size_t number, std::size_t of_figures) const {
+        return figure(figures.size()) + AdjustedFrame::figures * number + of_figures;
+    }
     Eigen::Vector3d position(std::size_t point) const {
         return state.segment<3>(static_cast<Eigen::Index>(3 * point));
     }
@@ -229,6 +265,9 @@ struct AdjustedNetwork {
 Message words_of(const AdjustedNetwork& network, const AdjustedReading& reading);
 /// "the zero of T1".
 Message words_of(const InstrumentFigure& figure);
+
+/// "own frame F".
+Message words_of(const AdjustedFrame& frame);
 
 /// Checked; nothing is adjusted yet. Empty if `problems` got an error.
 std::optional<AdjustedNetwork> adjusted_network(const StatedAdjustment& stated, Problems& problems);
@@ -259,6 +298,22 @@ struct StateTerm {
     double coefficient = 0.0;
 };
 using StateTerms = std::vector<StateTerm>;
+/// A coordinate in a frame, and its derivatives.
+double predicted_in_frame(const AdjustedNetwork& network, const AdjustedReading& reading,
+                          const double* state);
+void derivatives_in_frame(const AdjustedNetwork& network, const AdjustedReading& reading, const double* state,
+                          StateTerms& terms);
+/// How the figures of a frame change when the network shifts by, turns about and grows from `middle`.
+Eigen::Matrix<double, 7, 7> moves_of_frame(const AdjustedNetwork& network, std::size_t frame,
+                                           const Eigen::Vector3d& middle);
+/// The points of frame f whose coordinates are all there, as they are in it.
+std::vector<std::pair<std::size_t, Eigen::Vector3d>> points_of_frame(const AdjustedNetwork& network,
+                                                                     std::size_t f);
+/// Lays the frame onto those of its points that are placed; false: they are too few, or on a line.
+bool lay_frame(AdjustedNetwork& network, std::size_t f, const std::vector<char>& placed);
+/// Where what has these coordinates in the frame is.
+Eigen::Vector3d out_of_frame(const AdjustedNetwork& network, std::size_t f, const Eigen::Vector3d& in_frame);
+
 /// The reading at that state; orientations and coordinates as in `AdjustedNetwork::state`.
 double predicted(const AdjustedNetwork& network, const AdjustedReading& reading, const double* state);
 /// Value less that; angles on the circle.

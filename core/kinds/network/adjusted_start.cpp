@@ -5,19 +5,13 @@
 #include <map>
 #include <numbers>
 
-#include "core/kinds/network/adjusted_setup.h"
+#include "core/kinds/network/adjusted_placing.h"
 
 namespace covaria::network {
 
 namespace {
 
 using Vector2 = Eigen::Vector2d;
-
-/// Points and rounds placed in one common frame.
-struct PlaneFrame {
-    std::vector<std::optional<Vector2>> places;
-    std::vector<std::optional<double>> orientations;  ///< orientations of rounds, rad
-};
 
 struct Sighting {
     std::size_t from = 0, to = 0, round = 0;
@@ -314,64 +308,59 @@ double agreed(const std::vector<double>& turns) {
 class Start {
 public:
     Start(AdjustedNetwork& network, Problems& problems)
-        : network_(network), problems_(problems), readings_(network), whole_(readings_.empty_frame()) {}
+        : network_(network),
+          problems_(problems),
+          readings_(network),
+          placing_(network, readings_.empty_frame()) {}
 
     void find() {
-        for (std::size_t p = 0; p < network_.points.size(); ++p)
-            if (const AdjustedPoint& point = network_.points[p]; point.placed[0] && point.placed[1])
-                whole_.places[p] = network_.position(p).head<2>();
-        for (const AdjustedReading& r : network_.readings) take_coordinate(r);
-        if (readings_.azimuths() != none) whole_.orientations[readings_.azimuths()] = 0.0;
-        readings_.propagate(whole_);
-        lay_frames();
-        keep_plane();
+        if (readings_.azimuths() != none) placing_.whole.orientations[readings_.azimuths()] = 0.0;
+        for (bool more = true; more;) {
+            while (placing_.place_by_own_frames(readings_.sightings().empty())) {
+            }
+            readings_.propagate(placing_.whole);
+            lay_frames();
+            placing_.put_plane();
+            placing_.spread_heights();
+            more =
+                placing_.place_by_own_frames(false) || (!network_.frames.empty() && placing_.begin_heights());
+        }
+        say_unplaced();
         if (problems_.has_errors()) return;
-        place_heights();
+        placing_.place_heights();
         orient_rounds();
+        placing_.lay_frames();
         network_.stated = network_.state;
     }
 
 private:
     static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
-    /// A point whose coordinates were read.
-    void take_coordinate(const AdjustedReading& r) {
-        if (r.kind != ReadingKind::x && r.kind != ReadingKind::y) return;
-        AdjustedPoint& point = network_.points[r.from];
-        const std::size_t c = r.kind == ReadingKind::x ? 0 : 1;
-        if (!point.placed[c]) network_.state[static_cast<Eigen::Index>(network_.at(r.from, c))] = r.value;
-        point.placed[c] = true;
-        if (point.placed[0] && point.placed[1]) whole_.places[r.from] = network_.position(r.from).head<2>();
-    }
-
-    bool wants(std::size_t p) const { return network_.points[p].has(0) && !whole_.places[p]; }
-
     /// Frames of single stations, each grown as far as it goes, and laid onto the whole where they meet it.
     void lay_frames() {
         for (bool more = true; more;) {
             more = false;
             for (const Sighting& seed : readings_.sightings()) {
-                if (!wants(seed.from) && !wants(seed.to)) continue;
+                if (!placing_.wants(seed.from) && !placing_.wants(seed.to)) continue;
                 PlaneFrame frame = readings_.empty_frame();
                 frame.places[seed.from] = Vector2::Zero();
                 frame.orientations[seed.round] = 0.0;
                 readings_.propagate(frame);
                 if (!lay(frame)) continue;
-                readings_.propagate(whole_);
+                readings_.propagate(placing_.whole);
                 more = true;
             }
         }
-        if (std::ranges::none_of(whole_.places, [](const auto& p) { return p.has_value(); }))
-            seed_by_distance();
+        if (placing_.is_empty()) seed_by_distance();
     }
 
     bool lay(const PlaneFrame& frame) {
         std::vector<std::size_t> common;
         bool nothing_placed = true, brings = false;
         for (std::size_t p = 0; p < frame.places.size(); ++p) {
-            nothing_placed = nothing_placed && !whole_.places[p];
-            brings = brings || (frame.places[p] && wants(p));
-            if (frame.places[p] && whole_.places[p]) common.push_back(p);
+            nothing_placed = nothing_placed && !placing_.whole.places[p];
+            brings = brings || (frame.places[p] && placing_.wants(p));
+            if (frame.places[p] && placing_.whole.places[p]) common.push_back(p);
         }
         if (!brings) return false;
         const bool by_azimuth = readings_.azimuths() != none && frame.orientations[readings_.azimuths()];
@@ -385,12 +374,12 @@ private:
         Vector2 here = Vector2::Zero(), there = Vector2::Zero();
         for (const std::size_t p : common) {
             here += *frame.places[p] / double(common.size());
-            there += *whole_.places[p] / double(common.size());
+            there += *placing_.whole.places[p] / double(common.size());
         }
         if (common.size() > 1) {
             double sine = 0.0, cosine = 0.0;
             for (const std::size_t p : common) {
-                const Vector2 a = *frame.places[p] - here, b = *whole_.places[p] - there;
+                const Vector2 a = *frame.places[p] - here, b = *placing_.whole.places[p] - there;
                 cosine += a.dot(b);
                 sine += a.x() * b.y() - a.y() * b.x();
             }
@@ -404,30 +393,25 @@ private:
     void take(const PlaneFrame& frame, double turn, const Vector2& here, const Vector2& there) {
         const Eigen::Rotation2Dd R(turn);
         for (std::size_t p = 0; p < frame.places.size(); ++p)
-            if (frame.places[p] && !whole_.places[p])
-                whole_.places[p] = there + R * (*frame.places[p] - here);
+            if (frame.places[p] && !placing_.whole.places[p])
+                placing_.whole.places[p] = there + R * (*frame.places[p] - here);
     }
 
     /// A network of distances alone, with nothing placed.
     void seed_by_distance() {
         for (const AdjustedReading& r : network_.readings) {
             if (r.kind != ReadingKind::horizontal_distance && r.kind != ReadingKind::slope_distance) continue;
-            whole_.places[r.from] = Vector2::Zero();
-            whole_.places[r.to] = Vector2(r.value, 0.0);
-            return readings_.propagate(whole_);
+            placing_.whole.places[r.from] = Vector2::Zero();
+            placing_.whole.places[r.to] = Vector2(r.value, 0.0);
+            return readings_.propagate(placing_.whole);
         }
     }
 
-    void keep_plane() {
+    void say_unplaced() {
         std::string names;
         std::size_t missing = 0, first = 0;
         for (std::size_t p = 0; p < network_.points.size(); ++p) {
-            if (whole_.places[p]) {
-                if (!network_.points[p].placed[0] || !network_.points[p].placed[1])
-                    network_.state.segment<2>(static_cast<Eigen::Index>(3 * p)) = *whole_.places[p];
-                continue;
-            }
-            if (!network_.points[p].has(0)) continue;
+            if (!placing_.wants(p)) continue;
             constexpr std::size_t most_named = 10;
             network_.unplaced.push_back(p);
             if (missing == 0) first = p;
@@ -441,56 +425,6 @@ private:
                        "add readings, or state approximate coordinates">(names)
                 : tell<"the readings do not place %1 points (%2): too few tie them to the others; add "
                        "readings, or state approximate coordinates">(missing, names));
-    }
-
-    /// Height of `to` above `from` that the reading tells where the plane is placed.
-    std::optional<double> rise(const AdjustedReading& r) const {
-        const double raised = r.height_from - r.height_to;
-        if (r.kind == ReadingKind::height_difference || r.kind == ReadingKind::dz) return r.value + raised;
-        if (r.kind != ReadingKind::zenith_angle) return {};
-        const double rho = (network_.position(r.to) - network_.position(r.from)).head<2>().norm();
-        return rho / std::tan(r.value) + raised;
-    }
-
-    void place_heights() {
-        std::vector<char> placed;
-        for (const AdjustedPoint& point : network_.points) placed.push_back(point.placed[2] || !point.has(2));
-        const auto height = [&](std::size_t p) -> double& {
-            return network_.state[static_cast<Eigen::Index>(network_.at(p, 2))];
-        };
-        for (const AdjustedReading& r : network_.readings)
-            if (r.kind == ReadingKind::z && !placed[r.from]) {
-                height(r.from) = r.value;
-                placed[r.from] = 1;
-            }
-        for (;;) {
-            bool more = false;
-            for (const AdjustedReading& r : network_.readings) {
-                const auto up = rise(r);
-                if (!up || placed[r.from] == placed[r.to]) continue;
-                if (!network_.points[r.from].has(2) || !network_.points[r.to].has(2)) continue;
-                placed[r.to] ? height(r.from) = height(r.to) - *up : height(r.to) = height(r.from) + *up;
-                placed[r.from] = placed[r.to] = 1;
-                more = true;
-            }
-            if (more) continue;
-            // Heights that hang on nothing begin at that of the others.
-            const auto first = std::ranges::find(placed, 0);
-            if (first == placed.end()) return;
-            const auto p = static_cast<std::size_t>(first - placed.begin());
-            height(p) = mean_height(placed);
-            *first = 1;
-        }
-    }
-
-    double mean_height(const std::vector<char>& placed) const {
-        double sum = 0.0, count = 0.0;
-        for (std::size_t p = 0; p < placed.size(); ++p)
-            if (placed[p] && network_.points[p].has(2)) {
-                sum += network_.position(p).z();
-                ++count;
-            }
-        return count > 0.0 ? sum / count : 0.0;
     }
 
     /// The turn that the directions of a round agree with best: a direction to a wrong target turns no
@@ -509,7 +443,7 @@ private:
     AdjustedNetwork& network_;
     Problems& problems_;
     PlaneReadings readings_;
-    PlaneFrame whole_;
+    Placing placing_;
 };
 
 }  // namespace

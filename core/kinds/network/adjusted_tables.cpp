@@ -2,7 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/kinds/network/adjusted_setup.h"
+#include "core/kinds/network/adjusted_closures.h"
+#include "core/kinds/network/adjusted_groups.h"
 #include "core/kinds/points/component_evidence.h"
 #include "core/math/special_quantiles.h"
 #include "core/text/numbers.h"
@@ -135,6 +136,8 @@ Table left_out_table(const AdjustedNetwork& network) {
 std::vector<Table> adjustment_tables(const AdjustedNetwork& network) {
     const adjustment::Reliability& found = reliability_of(network);
     std::vector<Table> tables{figures_table(network, found), readings_table(network, found)};
+    if (const auto groups = groups_of(network); !groups.empty()) tables.push_back(groups_table(groups));
+    if (const auto closed = closures(network); !closed.empty()) tables.push_back(closures_table(closed));
     if (!network.left_out.empty()) tables.push_back(left_out_table(network));
     return tables;
 }

@@ -55,6 +55,13 @@ std::vector<std::vector<std::size_t>> parts_of(const AdjustedNetwork& network) {
     };
     for (const AdjustedReading& r : network.readings)
         for (const std::size_t other : {r.to, r.second}) leader[leader_of(other)] = leader_of(r.from);
+    std::vector<std::size_t> first_of(network.frames.size(), leader.size());
+    for (const AdjustedReading& r : network.readings) {
+        if (!is_in_frame(r.kind)) continue;
+        std::size_t& first = first_of[r.frame];
+        if (first == leader.size()) first = r.from;
+        leader[leader_of(r.from)] = leader_of(first);
+    }
     std::vector<std::vector<std::size_t>> found;
     std::vector<std::ptrdiff_t> number(leader.size(), -1);
     for (std::size_t p = 0; p < leader.size(); ++p) {
@@ -90,6 +97,16 @@ double coordinate_share(const std::vector<std::size_t>& own, std::size_t coordin
     return sum;
 }
 
+Message part_names(const AdjustedNetwork& network, const std::vector<std::size_t>& part) {
+    if (part.size() == network.points.size()) return tell<"the whole network">();
+    constexpr std::size_t most_named = 4;
+    std::string names;
+    for (std::size_t i = 0; i < std::min(part.size(), most_named); ++i)
+        names += (i > 0 ? ", " : "") + network.points[part[i]].name;
+    return part.size() > most_named ? tell<"the part with %1 and %2 more">(names, part.size() - most_named)
+                                    : tell<"the part with %1">(names);
+}
+
 class OpenDirections {
 public:
     OpenDirections(const AdjustedNetwork& network, const adjustment::Adjustment& adjusted)
@@ -97,6 +114,7 @@ public:
 
     std::vector<Message> say() {
         say_figures();
+        say_frames();
         for (std::size_t p = 0; p < network_.points.size() && open_.cols() > 0; ++p) say_point(p);
         if (open_.cols() > 0)
             for (const std::vector<std::size_t>& part : parts_of(network_)) say_part(part);
@@ -113,6 +131,19 @@ private:
             if (moves.cols() == 0) continue;
             said_.push_back(tell<"nothing tells %1: add readings that see it, or state it with u">(
                 words_of(network_.figures[f])));
+            open_ = without(open_, moves);
+        }
+    }
+
+    void say_frames() {
+        for (std::size_t f = 0; f < network_.frames.size() && open_.cols() > 0; ++f) {
+            std::vector<std::size_t> own;
+            for (std::size_t k = 0; k < AdjustedFrame::figures; ++k)
+                if (network_.frames[f].is_found[k]) own.push_back(network_.unknown_of[network_.frame(f, k)]);
+            const Eigen::MatrixXd moves = supported_on(open_, own);
+            if (moves.cols() == 0) continue;
+            said_.push_back(tell<"nothing tells how %1 lies: read more points in it whose places other "
+                                 "readings tell, not all on a line">(words_of(network_.frames[f])));
             open_ = without(open_, moves);
         }
     }
@@ -204,6 +235,12 @@ private:
                     moves.row(static_cast<Eigen::Index>(3 * p + c)) = own.row(static_cast<Eigen::Index>(c));
             turn_instruments(p, moves);
         }
+        for (std::size_t f = 0; f < network_.frames.size(); ++f)
+            if (std::ranges::any_of(network_.readings, [&](const AdjustedReading& r) {
+                    return r.frame == f && std::ranges::find(part, r.from) != part.end();
+                }))
+                moves.middleRows<7>(static_cast<Eigen::Index>(network_.frame(f, 0))) =
+                    moves_of_frame(network_, f, middle);
         for (std::size_t f = 0; f < network_.figures.size(); ++f)
             if (network_.figures[f].kind == FigureKind::scale && network_.figures[f].is_found)
                 moves(static_cast<Eigen::Index>(network_.figure(f)), 6) = -1.0;
@@ -284,19 +321,8 @@ private:
         return own + shifts * by;
     }
 
-    Message names_of(const std::vector<std::size_t>& part) const {
-        if (part.size() == network_.points.size()) return tell<"the whole network">();
-        constexpr std::size_t most_named = 4;
-        std::string names;
-        for (std::size_t i = 0; i < std::min(part.size(), most_named); ++i)
-            names += (i > 0 ? ", " : "") + network_.points[part[i]].name;
-        return part.size() > most_named
-                   ? tell<"the part with %1 and %2 more">(names, part.size() - most_named)
-                   : tell<"the part with %1">(names);
-    }
-
     Message whole_words(const std::vector<std::size_t>& part, Eigen::Index move) const {
-        const Message names = names_of(part);
+        const Message names = part_names(network_, part);
         switch (move) {
             case 0:
             case 1:

@@ -1,0 +1,259 @@
+// What readings contradict before anything is adjusted: readings that were repeated, distances there and
+// back, rounds of one station, loops of height differences and of coordinate differences.
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <map>
+#include <numbers>
+
+#include "core/kinds/network/adjusted_closures.h"
+#include "core/text/numbers.h"
+
+namespace covaria::network {
+
+namespace {
+
+/// A sum of readings that would be 0 without deviations.
+struct SignedReading {
+    std::size_t reading = 0;
+    double sign = 1.0;
+};
+
+/// Of height differences its instrument and its target may stand above their points.
+double difference_of(const AdjustedReading& r) {
+    const bool of_heights = r.kind == ReadingKind::height_difference || r.kind == ReadingKind::dz;
+    return of_heights ? r.value + r.height_from - r.height_to : r.value;
+}
+
+class ClosureSearch {
+public:
+    explicit ClosureSearch(const AdjustedNetwork& network) : network_(network) {
+        for (const ReadingCorrelation& c : network.correlations)
+            correlations_[std::minmax(c.first, c.second)] = c.coefficient;
+    }
+
+    std::vector<Closure> find() {
+        compare_repeated();
+        compare_rounds();
+        for (const auto& kinds : {std::vector{ReadingKind::height_difference, ReadingKind::dz},
+                                  std::vector{ReadingKind::dx}, std::vector{ReadingKind::dy}})
+            close_loops(kinds);
+        std::ranges::stable_sort(found_,
+                                 [](const Closure& a, const Closure& b) { return a.ratio() > b.ratio(); });
+        return std::move(found_);
+    }
+
+private:
+    void add(Message words, const std::vector<SignedReading>& readings, double misclosure) {
+        double u2 = 0.0;
+        for (std::size_t i = 0; i < readings.size(); ++i)
+            for (std::size_t j = 0; j < readings.size(); ++j)
+                u2 += readings[i].sign * readings[j].sign *
+                      correlation(readings[i].reading, readings[j].reading) *
+                      network_.readings[readings[i].reading].u * network_.readings[readings[j].reading].u;
+        if (!(u2 > 0.0)) return;
+        const AdjustedReading& last = network_.readings[readings.back().reading];
+        found_.push_back(
+            {std::move(words), misclosure, std::sqrt(u2), unit_of_residual(last.kind), last.source});
+    }
+
+    double correlation(std::size_t a, std::size_t b) const {
+        if (a == b) return 1.0;
+        const auto found = correlations_.find(std::minmax(a, b));
+        return found == correlations_.end() ? 0.0 : found->second;
+    }
+
+    /// The same again, or from the other end: each against the first.
+    void compare_repeated() {
+        using Key =
+            std::tuple<ReadingKind, std::size_t, std::size_t, std::size_t, std::size_t, double, double>;
+        std::map<Key, std::size_t> first;
+        for (std::size_t i = 0; i < network_.readings.size(); ++i) {
+            const AdjustedReading& r = network_.readings[i];
+            const bool distance =
+                r.kind == ReadingKind::slope_distance || r.kind == ReadingKind::horizontal_distance;
+            const bool loop = r.kind == ReadingKind::height_difference ||
+                              (r.kind >= ReadingKind::dx && r.kind <= ReadingKind::dz);
+            if (!is_read(r.kind) || is_in_frame(r.kind) || loop) continue;
+            const bool back = distance && r.from > r.to;
+            const Key key{r.kind,
+                          back ? r.to : r.from,
+                          back ? r.from : r.to,
+                          distance ? 0 : r.second,
+                          r.round,
+                          back ? r.height_to : r.height_from,
+                          back ? r.height_from : r.height_to};
+            const auto [known, added] = first.try_emplace(key, i);
+            if (added) continue;
+            const AdjustedReading& before = network_.readings[known->second];
+            const double d = r.value - before.value;
+            const Message words = words_of(network_, r);
+            add(back != (before.from > before.to) ? tell<"%1, there and back">(words)
+                                                  : tell<"%1, again">(words),
+                {{known->second, -1.0}, {i, 1.0}},
+                is_of_angle(r.kind) ? std::remainder(d, 2.0 * std::numbers::pi) : d);
+        }
+    }
+
+    /// The angle from the first target that two rounds of a station have in common, to each of the others.
+    void compare_rounds() {
+        std::map<std::size_t, std::vector<std::map<std::size_t, std::size_t>>> stations;
+        std::vector<std::map<std::size_t, std::size_t>> rounds(network_.rounds.size());
+        for (std::size_t i = 0; i < network_.readings.size(); ++i)
+            if (const AdjustedReading& r = network_.readings[i]; r.kind == ReadingKind::direction)
+                rounds[r.round].try_emplace(r.to, i);
+        for (std::size_t k = 0; k < rounds.size(); ++k)
+            stations[network_.rounds[k].station].push_back(std::move(rounds[k]));
+        for (const auto& [station, own] : stations)
+            for (std::size_t k = 1; k < own.size(); ++k) compare(own[0], own[k]);
+    }
+
+    void compare(const std::map<std::size_t, std::size_t>& a, const std::map<std::size_t, std::size_t>& b) {
+        const std::size_t none = network_.readings.size();
+        std::size_t first_a = none, first_b = none;
+        for (const auto& [target, i] : a) {
+            const auto there = b.find(target);
+            if (there == b.end()) continue;
+            const std::size_t k = there->second;
+            if (first_a == none) {
+                first_a = i, first_b = k;
+                continue;
+            }
+            const auto value = [&](std::size_t reading) { return network_.readings[reading].value; };
+            const AdjustedReading& r = network_.readings[k];
+            const std::string &station = network_.points[r.from].name,
+                              &from = network_.points[network_.readings[first_a].to].name;
+            add(tell<"angle at %1 from %2 to %3, in two rounds">(station, from, network_.points[target].name),
+                {{first_a, 1.0}, {i, -1.0}, {first_b, -1.0}, {k, 1.0}},
+                std::remainder(value(k) - value(first_b) - value(i) + value(first_a),
+                               2.0 * std::numbers::pi));
+        }
+    }
+
+    /// Each reading that is not of the tree of shortest ways closes a loop with it.
+    void close_loops(const std::vector<ReadingKind>& kinds) {
+        std::vector<std::vector<std::size_t>> at(network_.points.size());
+        std::vector<std::size_t> readings;
+        for (std::size_t i = 0; i < network_.readings.size(); ++i)
+            if (const AdjustedReading& r = network_.readings[i];
+                std::ranges::find(kinds, r.kind) != kinds.end()) {
+                at[r.from].push_back(i);
+                at[r.to].push_back(i);
+                readings.push_back(i);
+            }
+        const std::size_t none = network_.readings.size();
+        std::vector<std::size_t> way(at.size(), none), depth(at.size(), none);
+        for (std::size_t root = 0; root < at.size(); ++root) {
+            if (at[root].empty() || depth[root] != none) continue;
+            depth[root] = 0;
+            for (std::deque<std::size_t> open{root}; !open.empty(); open.pop_front())
+                for (const std::size_t i : at[open.front()]) {
+                    const std::size_t next = other(i, open.front());
+                    if (depth[next] != none) continue;
+                    depth[next] = depth[open.front()] + 1;
+                    way[next] = i;
+                    open.push_back(next);
+                }
+        }
+        for (const std::size_t i : readings)
+            if (way[network_.readings[i].from] != i && way[network_.readings[i].to] != i)
+                close(i, way, depth);
+    }
+
+    std::size_t other(std::size_t reading, std::size_t point) const {
+        const AdjustedReading& r = network_.readings[reading];
+        return r.from == point ? r.to : r.from;
+    }
+
+    /// From the target of the reading back to its station by the tree.
+    void close(std::size_t reading, const std::vector<std::size_t>& way,
+               const std::vector<std::size_t>& depth) {
+        const AdjustedReading& r = network_.readings[reading];
+        std::vector<SignedReading> signs;
+        std::vector<std::size_t> forth{r.to}, back{r.from};
+        double sum = difference_of(r);
+        const auto go = [&](std::vector<std::size_t>& points, double sign) {
+            const std::size_t i = way[points.back()], next = other(i, points.back());
+            const double s = network_.readings[i].from == points.back() ? sign : -sign;
+            signs.push_back({i, s});
+            sum += s * difference_of(network_.readings[i]);
+            points.push_back(next);
+        };
+        while (forth.back() != back.back())
+            depth[forth.back()] >= depth[back.back()] ? go(forth, 1.0) : go(back, -1.0);
+        signs.push_back({reading, 1.0});
+        std::vector<std::size_t> points{r.from};
+        points.insert(points.end(), forth.begin(), forth.end());
+        points.insert(points.end(), back.rbegin() + 1, back.rend());
+        add(loop_words(r.kind, points), signs, sum);
+    }
+
+    Message loop_words(ReadingKind kind, const std::vector<std::size_t>& points) const {
+        constexpr std::size_t most_named = 8;
+        std::string names;
+        for (std::size_t i = 0; i < std::min(points.size(), most_named); ++i)
+            names += (i > 0 ? " – " : "") + network_.points[points[i]].name;
+        if (points.size() > most_named) names += " – …";
+        switch (kind) {
+            case ReadingKind::dx:
+                return tell<"loop of differences of x, %1">(names);
+            case ReadingKind::dy:
+                return tell<"loop of differences of y, %1">(names);
+            default:
+                return tell<"loop of height differences, %1">(names);
+        }
+    }
+
+    const AdjustedNetwork& network_;
+    std::map<std::pair<std::size_t, std::size_t>, double> correlations_;
+    std::vector<Closure> found_;
+};
+
+}  // namespace
+
+double Closure::ratio() const {
+    return std::abs(misclosure) / u;
+}
+
+std::vector<Closure> closures(const AdjustedNetwork& network) {
+    return ClosureSearch(network).find();
+}
+
+void check_closures(const AdjustedNetwork& network, Problems& problems) {
+    constexpr std::size_t most_said = 5;
+    std::size_t count = 0;
+    for (const Closure& closure : closures(network)) {
+        if (!(closure.ratio() > adjustment::outlier_limit())) break;
+        if (++count > most_said) continue;
+        problems.warning(
+            closure.source,
+            tell<"before the adjustment: %1 closes with %2 %3, %4 times its u">(
+                closure.words,
+                Message::number(format_significant(closure.unit.from_si(closure.misclosure), 3)),
+                closure.unit.display(), Message::number(format_significant(closure.ratio(), 2))));
+    }
+    if (count > most_said)
+        problems.warning(adjustment_fields().place(&StatedAdjustment::readings),
+                         tell<"and %1 more closures are beyond 3.29 times their u">(count - most_said));
+}
+
+Table closures_table(const std::vector<Closure>& closures) {
+    Table table{"closures", known_text<"Closures before the adjustment">()};
+    table.add(known_text<"Closure">());
+    table.add(known_text<"misclosure">()).figure(3);
+    table.add(known_text<"u of the misclosure">()).figure(2);
+    table.add(known_text<"misclosure over u">()).figure(3);
+    table.add(known_text<"remark">());
+    std::size_t beyond = 0;
+    for (const Closure& closure : closures) {
+        const bool far = closure.ratio() > adjustment::outlier_limit();
+        beyond += far;
+        table.row({closure.words, Quantity{closure.unit.from_si(closure.misclosure), closure.unit},
+                   Quantity{closure.unit.from_si(closure.u), closure.unit}, closure.ratio(),
+                   far ? tell<"too large?">() : Message()});
+    }
+    if (beyond > 0) table.notes.push_back(tell<"%1 closures are beyond 3.29 times their u (0.1 %).">(beyond));
+    return table;
+}
+
+}  // namespace covaria::network

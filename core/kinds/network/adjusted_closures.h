@@ -1,0 +1,22 @@
+// Closures of readings, which need no adjustment.
+#pragma once
+
+#include "core/kinds/network/adjusted_setup.h"
+
+namespace covaria::network {
+
+struct Closure {
+    Message words;
+    double misclosure = 0.0, u = 0.0;  ///< SI
+    Unit unit;                         ///< in which it is shown
+    std::string source;                ///< place of its last reading
+    double ratio() const;
+};
+
+/// The largest for its u first.
+std::vector<Closure> closures(const AdjustedNetwork& network);
+/// Warns where they are larger than the uncertainties allow.
+void check_closures(const AdjustedNetwork& network, Problems& problems);
+Table closures_table(const std::vector<Closure>& closures);
+
+}  // namespace covaria::network
