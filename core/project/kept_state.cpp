@@ -71,6 +71,8 @@ KeptState state_to_keep(Project of_results, const Project& now, const std::strin
         entry.designs = present->designs;
         entry.views = present->views;
         entry.quantity_notes = present->quantity_notes;
+        entry.measured = present->measured;
+        entry.certificates = present->certificates;
     }
     return state_to_keep(of_results, analysis, at);
 }

@@ -28,8 +28,8 @@ struct KeptState {
 
 /// What can be gone back to, and is compared with until then.
 KeptState state_to_keep(const Project& project, const std::string& analysis, const std::string& at);
-/// Results may be of a state a moment older than `now`: studies, designs, views and notes, which no result
-/// follows from, are then those of `now`.
+/// Results may be of a state a moment older than `now`: studies, designs, views, notes and certificates,
+/// which no result follows from, are then those of `now`.
 KeptState state_to_keep(Project of_results, const Project& now, const std::string& analysis,
                         const std::string& at);
 /// `other` is an analysis of `project`, which may be another one than that of `analysis`.

@@ -18,8 +18,8 @@
 namespace covaria::ui {
 namespace {
 
-/// "120; 80; 95": with the decimal sign of the locale, one for all rows or one for each. `wrong`: the first that
-/// is no number.
+/// "120; 80; 95": with the decimal sign of the locale, one for all rows or one for each. `wrong`: the first
+/// that is no number.
 std::vector<double> prices_from(const QString& typed, QString& wrong) {
     std::vector<double> prices;
     for (const QString& text : typed.split(QLatin1Char(';'), Qt::SkipEmptyParts)) {

@@ -92,8 +92,8 @@ void KeptStates::compare_with(const QString& analysis, const Project& project, c
 
 void KeptStates::keep(const QString& analysis) {
     if (!document_ || !can_keep(analysis)) return;
-    const KeptState state = state_to_keep(runner_.made()->project(), document_->project(),
-                                          to_std(analysis), time_of_now());
+    const KeptState state =
+        state_to_keep(runner_.made()->project(), document_->project(), to_std(analysis), time_of_now());
     fresh_ = KeptResult{state, runner_.status(analysis).result};
     if (!document_->apply(tr("Keep state"), [&](Project& project) { put_kept(project.kept, state); }))
         fresh_.reset();
