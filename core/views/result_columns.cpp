@@ -350,7 +350,7 @@ Table results_table(const UncertaintyResult& result, std::vector<std::size_t> ou
 Table results_table(const UncertaintyResult& result, std::vector<std::size_t> outputs,
                     const std::vector<RequirementResult>& verdicts, const DocumentLanguage& language) {
     struct OfRow {
-        Cell target, part, met;
+        Cell target, part, lower, upper, met;
     };
     auto rows = std::make_shared<std::vector<OfRow>>();
     for (const std::size_t output : outputs) {
@@ -361,6 +361,10 @@ Table results_table(const UncertaintyResult& result, std::vector<std::size_t> ou
             if (verdict.output != output) continue;
             any = true;
             met = met && is_met(verdict);
+            if (verdict.lower_limit)
+                row.lower = Measured{*verdict.lower_limit, Scale::value, of.quantity.unit, {}};
+            if (verdict.upper_limit)
+                row.upper = Measured{*verdict.upper_limit, Scale::value, of.quantity.unit, {}};
             if (!verdict.target_uncertainty) continue;
             const double target = *verdict.target_uncertainty;
             row.target = Measured{target, Scale::interval, of.quantity.unit, {}};
@@ -376,6 +380,14 @@ Table results_table(const UncertaintyResult& result, std::vector<std::size_t> ou
     table.add("U/target", [rows](std::size_t row) { return (*rows)[row].part; })
         .window("U / target", "Expanded uncertainty as a part of its target: above 1 the target is not met")
         .part_of_limit(2)
+        .not_in_files();
+    table.add("lower limit", [rows](std::size_t row) { return (*rows)[row].lower; })
+        .window("Lower limit", "Of the tolerance; empty: none.")
+        .estimate_of("rounding")
+        .not_in_files();
+    table.add("upper limit", [rows](std::size_t row) { return (*rows)[row].upper; })
+        .window("Upper limit", "Of the tolerance; empty: none.")
+        .estimate_of("rounding")
         .not_in_files();
     table.add("met", [rows](std::size_t row) { return (*rows)[row].met; })
         .window("Requirement", "Whether the target uncertainty is met and the value is accepted")

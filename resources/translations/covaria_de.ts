@@ -2,6 +2,68 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
 <context>
+    <name>covaria::ui::OutputsTab</name>
+    <message>
+        <source>Filter: symbol, name, group</source>
+        <translation>Filter: Symbol, Name, Gruppe</translation>
+    </message>
+    <message>
+        <source>Filter of the results</source>
+        <translation>Filter der Ergebnisse</translation>
+    </message>
+    <message>
+        <source>All groups</source>
+        <translation>Alle Gruppen</translation>
+    </message>
+    <message>
+        <source>Results of all poses, points or targets, whichever is selected</source>
+        <translation>Ergebnisse aller Posen, Punkte oder Zielpunkte, gleich welche ausgewählt ist</translation>
+    </message>
+    <message>
+        <source>Not met only</source>
+        <translation>Nur nicht eingehaltene</translation>
+    </message>
+    <message>
+        <source>Only results whose target uncertainty or tolerance is not met</source>
+        <translation>Nur Ergebnisse, deren Zielunsicherheit oder Toleranz nicht eingehalten ist</translation>
+    </message>
+    <message>
+        <source>results</source>
+        <translation>Ergebnisse</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>Shortest Coverage Intervals</source>
+        <translation>Kürzeste Überdeckungsintervalle</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::PairCorrelation</name>
+    <message>
+        <source>Correlation coefficient</source>
+        <translation>Korrelationskoeffizient</translation>
+    </message>
+    <message>
+        <source>&lt;i&gt;r&lt;/i&gt;(%1, %2) =</source>
+        <translation>&lt;i&gt;r&lt;/i&gt;(%1, %2) =</translation>
+    </message>
+    <message>
+        <source>&lt;i&gt;r&lt;/i&gt; of two rows =</source>
+        <translation>&lt;i&gt;r&lt;/i&gt; zweier Zeilen =</translation>
+    </message>
+    <message>
+        <source>Both quantities need an uncertainty before they can be correlated</source>
+        <translation>Beide Größen brauchen eine Unsicherheit, bevor sie korreliert werden können</translation>
+    </message>
+    <message>
+        <source>Select two rows, and type the correlation coefficient of their components</source>
+        <translation>Zwei Zeilen auswählen und den Korrelationskoeffizienten ihrer Komponenten eingeben</translation>
+    </message>
+</context>
+<context>
     <name>QObject</name>
     <message>
         <source>Move %1</source>
@@ -19330,6 +19392,10 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
 </context>
 <context>
     <name>covaria::ui::Document</name>
+    <message>
+        <source>Change the requirement for %1</source>
+        <translation>Anforderung an %1 ändern</translation>
+    </message>
     <message>
         <source>Untitled</source>
         <translation>Unbenannt</translation>

@@ -2,6 +2,68 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="es" sourcelanguage="en">
 <context>
+    <name>covaria::ui::OutputsTab</name>
+    <message>
+        <source>Filter: symbol, name, group</source>
+        <translation>Filtro: símbolo, nombre, grupo</translation>
+    </message>
+    <message>
+        <source>Filter of the results</source>
+        <translation>Filtro de los resultados</translation>
+    </message>
+    <message>
+        <source>All groups</source>
+        <translation>Todos los grupos</translation>
+    </message>
+    <message>
+        <source>Results of all poses, points or targets, whichever is selected</source>
+        <translation>Resultados de todas las poses, puntos o dianas, sea cual sea la selección</translation>
+    </message>
+    <message>
+        <source>Not met only</source>
+        <translation>Solo no cumplidos</translation>
+    </message>
+    <message>
+        <source>Only results whose target uncertainty or tolerance is not met</source>
+        <translation>Solo resultados que no cumplen la incertidumbre objetivo o la tolerancia</translation>
+    </message>
+    <message>
+        <source>results</source>
+        <translation>resultados</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Unidad</translation>
+    </message>
+    <message>
+        <source>Shortest Coverage Intervals</source>
+        <translation>Intervalos de cobertura más cortos</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::PairCorrelation</name>
+    <message>
+        <source>Correlation coefficient</source>
+        <translation>Coeficiente de correlación</translation>
+    </message>
+    <message>
+        <source>&lt;i&gt;r&lt;/i&gt;(%1, %2) =</source>
+        <translation>&lt;i&gt;r&lt;/i&gt;(%1, %2) =</translation>
+    </message>
+    <message>
+        <source>&lt;i&gt;r&lt;/i&gt; of two rows =</source>
+        <translation>&lt;i&gt;r&lt;/i&gt; de dos filas =</translation>
+    </message>
+    <message>
+        <source>Both quantities need an uncertainty before they can be correlated</source>
+        <translation>Ambas magnitudes necesitan una incertidumbre antes de poder correlacionarse</translation>
+    </message>
+    <message>
+        <source>Select two rows, and type the correlation coefficient of their components</source>
+        <translation>Seleccione dos filas y teclee el coeficiente de correlación de sus componentes</translation>
+    </message>
+</context>
+<context>
     <name>QObject</name>
     <message>
         <source>Move %1</source>
@@ -19330,6 +19392,10 @@ nu 18 detrás de cualquiera de ellos: grados de libertad</translation>
 </context>
 <context>
     <name>covaria::ui::Document</name>
+    <message>
+        <source>Change the requirement for %1</source>
+        <translation>Modificar el requisito para %1</translation>
+    </message>
     <message>
         <source>Untitled</source>
         <translation>Sin título</translation>

@@ -2,6 +2,68 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="ko" sourcelanguage="en">
 <context>
+    <name>covaria::ui::OutputsTab</name>
+    <message>
+        <source>Filter: symbol, name, group</source>
+        <translation>필터: 기호, 이름, 그룹</translation>
+    </message>
+    <message>
+        <source>Filter of the results</source>
+        <translation>결과 필터</translation>
+    </message>
+    <message>
+        <source>All groups</source>
+        <translation>모든 그룹</translation>
+    </message>
+    <message>
+        <source>Results of all poses, points or targets, whichever is selected</source>
+        <translation>선택과 관계없이 모든 포즈, 점 또는 표적의 결과</translation>
+    </message>
+    <message>
+        <source>Not met only</source>
+        <translation>미충족만</translation>
+    </message>
+    <message>
+        <source>Only results whose target uncertainty or tolerance is not met</source>
+        <translation>목표불확도 또는 허용차를 충족하지 않는 결과만</translation>
+    </message>
+    <message>
+        <source>results</source>
+        <translation>결과</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>단위</translation>
+    </message>
+    <message>
+        <source>Shortest Coverage Intervals</source>
+        <translation>최단 포함구간</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::PairCorrelation</name>
+    <message>
+        <source>Correlation coefficient</source>
+        <translation>상관계수</translation>
+    </message>
+    <message>
+        <source>&lt;i&gt;r&lt;/i&gt;(%1, %2) =</source>
+        <translation>&lt;i&gt;r&lt;/i&gt;(%1, %2) =</translation>
+    </message>
+    <message>
+        <source>&lt;i&gt;r&lt;/i&gt; of two rows =</source>
+        <translation>두 행의 &lt;i&gt;r&lt;/i&gt; =</translation>
+    </message>
+    <message>
+        <source>Both quantities need an uncertainty before they can be correlated</source>
+        <translation>두 양 모두 불확도가 있어야 상관을 줄 수 있습니다</translation>
+    </message>
+    <message>
+        <source>Select two rows, and type the correlation coefficient of their components</source>
+        <translation>두 행을 선택하고 그 성분의 상관계수를 입력하세요</translation>
+    </message>
+</context>
+<context>
     <name>QObject</name>
     <message>
         <source>Move %1</source>
@@ -19327,6 +19389,10 @@ sample 1; 2; 3 weights 2; 5; 2 (그대로 뽑음), histogram 0; 1; 2 weights 5; 
 </context>
 <context>
     <name>covaria::ui::Document</name>
+    <message>
+        <source>Change the requirement for %1</source>
+        <translation>%1의 요구사항 변경</translation>
+    </message>
     <message>
         <source>Untitled</source>
         <translation>제목 없음</translation>

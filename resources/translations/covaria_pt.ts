@@ -2,6 +2,68 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="pt" sourcelanguage="en">
 <context>
+    <name>covaria::ui::OutputsTab</name>
+    <message>
+        <source>Filter: symbol, name, group</source>
+        <translation>Filtro: símbolo, nome, grupo</translation>
+    </message>
+    <message>
+        <source>Filter of the results</source>
+        <translation>Filtro dos resultados</translation>
+    </message>
+    <message>
+        <source>All groups</source>
+        <translation>Todos os grupos</translation>
+    </message>
+    <message>
+        <source>Results of all poses, points or targets, whichever is selected</source>
+        <translation>Resultados de todas as poses, pontos ou alvos, qualquer que seja o selecionado</translation>
+    </message>
+    <message>
+        <source>Not met only</source>
+        <translation>Só não atendidos</translation>
+    </message>
+    <message>
+        <source>Only results whose target uncertainty or tolerance is not met</source>
+        <translation>Só resultados cuja incerteza-alvo ou tolerância não é atendida</translation>
+    </message>
+    <message>
+        <source>results</source>
+        <translation>resultados</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Unidade</translation>
+    </message>
+    <message>
+        <source>Shortest Coverage Intervals</source>
+        <translation>Intervalos de abrangência mais curtos</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::PairCorrelation</name>
+    <message>
+        <source>Correlation coefficient</source>
+        <translation>Coeficiente de correlação</translation>
+    </message>
+    <message>
+        <source>&lt;i&gt;r&lt;/i&gt;(%1, %2) =</source>
+        <translation>&lt;i&gt;r&lt;/i&gt;(%1, %2) =</translation>
+    </message>
+    <message>
+        <source>&lt;i&gt;r&lt;/i&gt; of two rows =</source>
+        <translation>&lt;i&gt;r&lt;/i&gt; de duas linhas =</translation>
+    </message>
+    <message>
+        <source>Both quantities need an uncertainty before they can be correlated</source>
+        <translation>Ambas as grandezas precisam de uma incerteza antes de poderem ser correlacionadas</translation>
+    </message>
+    <message>
+        <source>Select two rows, and type the correlation coefficient of their components</source>
+        <translation>Selecione duas linhas e digite o coeficiente de correlação de suas componentes</translation>
+    </message>
+</context>
+<context>
     <name>QObject</name>
     <message>
         <source>Move %1</source>
@@ -19330,6 +19392,10 @@ nu 18 atrás de qualquer um deles: graus de liberdade</translation>
 </context>
 <context>
     <name>covaria::ui::Document</name>
+    <message>
+        <source>Change the requirement for %1</source>
+        <translation>Alterar o requisito para %1</translation>
+    </message>
     <message>
         <source>Untitled</source>
         <translation>Sem título</translation>

@@ -2,6 +2,68 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="zh_CN" sourcelanguage="en">
 <context>
+    <name>covaria::ui::OutputsTab</name>
+    <message>
+        <source>Filter: symbol, name, group</source>
+        <translation>筛选：符号、名称、组</translation>
+    </message>
+    <message>
+        <source>Filter of the results</source>
+        <translation>结果筛选</translation>
+    </message>
+    <message>
+        <source>All groups</source>
+        <translation>所有组</translation>
+    </message>
+    <message>
+        <source>Results of all poses, points or targets, whichever is selected</source>
+        <translation>所有位姿、点或目标点的结果，无论选择了哪一个</translation>
+    </message>
+    <message>
+        <source>Not met only</source>
+        <translation>仅显示不满足的</translation>
+    </message>
+    <message>
+        <source>Only results whose target uncertainty or tolerance is not met</source>
+        <translation>仅显示不满足目标不确定度或容差的结果</translation>
+    </message>
+    <message>
+        <source>results</source>
+        <translation>结果</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>单位</translation>
+    </message>
+    <message>
+        <source>Shortest Coverage Intervals</source>
+        <translation>最短包含区间</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::PairCorrelation</name>
+    <message>
+        <source>Correlation coefficient</source>
+        <translation>相关系数</translation>
+    </message>
+    <message>
+        <source>&lt;i&gt;r&lt;/i&gt;(%1, %2) =</source>
+        <translation>&lt;i&gt;r&lt;/i&gt;(%1, %2) =</translation>
+    </message>
+    <message>
+        <source>&lt;i&gt;r&lt;/i&gt; of two rows =</source>
+        <translation>两行的 &lt;i&gt;r&lt;/i&gt; =</translation>
+    </message>
+    <message>
+        <source>Both quantities need an uncertainty before they can be correlated</source>
+        <translation>两个量都须有不确定度，才能给出相关系数</translation>
+    </message>
+    <message>
+        <source>Select two rows, and type the correlation coefficient of their components</source>
+        <translation>选择两行，输入其分量的相关系数</translation>
+    </message>
+</context>
+<context>
     <name>QObject</name>
     <message>
         <source>Move %1</source>
@@ -19327,6 +19389,10 @@ sample 1; 2; 3 weights 2; 5; 2（按原样抽取），histogram 0; 1; 2 weights 
 </context>
 <context>
     <name>covaria::ui::Document</name>
+    <message>
+        <source>Change the requirement for %1</source>
+        <translation>更改对 %1 的要求</translation>
+    </message>
     <message>
         <source>Untitled</source>
         <translation>未命名</translation>

@@ -72,6 +72,16 @@ void draw_bar(QPainter& painter, double fraction, const QRectF& area, const QCol
         QRectF(area.topLeft(), QSizeF(area.width() * std::clamp(fraction, 0.0, 1.0), area.height())), colour);
 }
 
+void draw_hint(QPainter& painter, const QString& hint, const QStyleOptionViewItem& option) {
+    painter.save();
+    painter.setPen(tokens_of(option.palette).ink3);
+    painter.setFont(option.font);
+    const QRect area = option.rect.adjusted(beside, 0, 0, 0);
+    painter.drawText(area, Qt::AlignLeft | Qt::AlignVCenter,
+                     option.fontMetrics.elidedText(hint, Qt::ElideRight, area.width()));
+    painter.restore();
+}
+
 }  // namespace
 
 void BudgetCellDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
@@ -79,6 +89,8 @@ void BudgetCellDelegate::paint(QPainter* painter, const QStyleOptionViewItem& op
     const Density density = density_of(index);
     const QVariant fraction = index.data(fraction_role);
     if (!density) CellDelegate::paint(painter, option, index);
+    if (const QString hint = index.data(hint_role).toString(); !hint.isEmpty())
+        draw_hint(*painter, hint, option);
     if (!density && !fraction.isValid()) return;
     const Tokens& tokens = tokens_of(option.palette);
     painter->save();

@@ -26,7 +26,7 @@ bool follows_from_statement(const QModelIndex& cell) {
 BudgetSheetView::BudgetSheetView(SpreadsheetModel& model, QWidget* parent)
     : SpreadsheetView(model, parent, RowRoom::stage), sheet_(model), frozen_(new QTableView(this)) {
     setItemDelegate(new BudgetCellDelegate(this));
-    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Maximum);
     setHorizontalScrollMode(ScrollPerPixel);
     setVerticalScrollMode(ScrollPerPixel);
     frozen_->setHorizontalHeader(new TypesetHeader(Qt::Horizontal, frozen_));
@@ -44,6 +44,9 @@ BudgetSheetView::BudgetSheetView(SpreadsheetModel& model, QWidget* parent)
     for (int column = 1; column < model.columnCount(); ++column) frozen_->setColumnHidden(column, true);
     connect(horizontalHeader(), &QHeaderView::sectionResized, this, &BudgetSheetView::place_frozen);
     connect(&model, &QAbstractItemModel::dataChanged, this, &BudgetSheetView::give_way_in_turn);
+    for (const auto rows : {&QAbstractItemModel::rowsInserted, &QAbstractItemModel::rowsRemoved})
+        connect(&model, rows, this, &BudgetSheetView::updateGeometry);
+    connect(&model, &QAbstractItemModel::modelReset, this, &BudgetSheetView::updateGeometry);
     connect(verticalHeader(), &QHeaderView::geometriesChanged, this, &BudgetSheetView::place_frozen);
     connect(verticalScrollBar(), &QScrollBar::valueChanged, frozen_->verticalScrollBar(),
             &QScrollBar::setValue);
@@ -66,6 +69,10 @@ BudgetSheetView::BudgetSheetView(SpreadsheetModel& model, QWidget* parent)
             emit quantity_asked(cell.row());
     });
     place_frozen();
+}
+
+QSize BudgetSheetView::sizeHint() const {
+    return {QTableView::sizeHint().width(), height_with(model()->rowCount())};
 }
 
 /// Shows the frozen column only while the column itself is out of view: that is edited in its own place.

@@ -9,7 +9,8 @@ class BudgetSheetView : public SpreadsheetView {
     Q_OBJECT
 public:
     explicit BudgetSheetView(SpreadsheetModel& model, QWidget* parent = nullptr);
-    QSize sizeHint() const override { return QTableView::sizeHint(); }
+    /// As high as its rows: the result stands right below them.
+    QSize sizeHint() const override;
     QSize minimumSizeHint() const override { return {160, 120}; }
     QAction* quantity_action() const { return quantity_; }
 

@@ -13,6 +13,7 @@
 #include "core/text/symbol.h"
 #include "core/views/component_labels.h"
 #include "ui/document/component_source.h"
+#include "ui/document/requirement_edits.h"
 #include "ui/document/setup_address.h"
 #include "ui/forms/complaint.h"
 #include "ui/forms/finish_typing.h"
@@ -29,17 +30,6 @@ namespace covaria::ui {
 namespace {
 
 constexpr std::size_t most_reductions = 8;
-
-bool is_of(const Requirement& r, const OutputQuantity& output) {
-    return r.symbol == output.symbol && r.group == output.group;
-}
-
-bool is_empty(const Requirement& r) {
-    Requirement bare;
-    bare.symbol = r.symbol;
-    bare.group = r.group;
-    return r == bare;
-}
 
 QString number(const Unit& unit, double si, int digits = 3) {
     return localized(format_significant(unit.interval_from_si(si), digits)) + to_qt(unit_after_number(unit));
@@ -226,29 +216,15 @@ const OutputQuantity* RequirementsForm::output() const {
 const Requirement* RequirementsForm::requirement() const {
     const AnalysisEntry* entry = document_.project().find_analysis(analysis_);
     if (!entry || !output()) return nullptr;
-    for (const Requirement& r : entry->requirements)
-        if (is_of(r, *output())) return &r;
-    return nullptr;
+    return find_requirement(*entry, *output());
 }
 
 void RequirementsForm::change(const std::string& key, const std::function<void(Requirement&)>& edit) {
     const OutputQuantity* of = output();
     if (!of) return;
-    document_.apply(
-        tr("Change the requirement for %1").arg(to_qt(symbol_to_unicode(of->symbol))),
-        [&](Project& project) {
-            AnalysisEntry* entry = find_analysis_entry(project, analysis_);
-            if (!entry) return;
-            auto found = std::find_if(entry->requirements.begin(), entry->requirements.end(),
-                                      [&](const Requirement& r) { return is_of(r, *of); });
-            if (found == entry->requirements.end())
-                found =
-                    entry->requirements.insert(entry->requirements.end(), Requirement{of->group, of->symbol});
-            edit(*found);
-            if (is_empty(*found)) entry->requirements.erase(found);
-        },
-        QStringLiteral("requirement:%1:%2:%3")
-            .arg(to_qt(analysis_), to_qt(of->group + "/" + of->symbol), to_qt(key)));
+    change_requirements(document_, analysis_, {*of}, edit,
+                        QStringLiteral("requirement:%1:%2:%3")
+                            .arg(to_qt(analysis_), to_qt(of->group + "/" + of->symbol), to_qt(key)));
 }
 
 void RequirementsForm::set_units(const DisplayUnits& units) {
@@ -391,7 +367,7 @@ bool RequirementsForm::focus_field(const std::string& path) {
     for (std::size_t i = 0; i < known_.size(); ++i) {
         const bool named = path.starts_with(prefix + known_[i].group + "|" + known_[i].symbol + "/");
         const bool numbered =
-            index < entry->requirements.size() && is_of(entry->requirements[index], known_[i]);
+            index < entry->requirements.size() && is_about(entry->requirements[index], known_[i]);
         if (named || (numbered && path.find('|') == std::string::npos)) outputs_->setCurrentIndex(int(i));
     }
     if (path.ends_with("/guardRule")) rules_->setFocus(Qt::OtherFocusReason);

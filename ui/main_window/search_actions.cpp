@@ -12,6 +12,7 @@
 #include "ui/document/selection.h"
 #include "ui/main_window/help_actions.h"
 #include "ui/main_window/pane_keys.h"
+#include "ui/pages/outputs_tab.h"
 #include "ui/pages/properties_pane.h"
 #include "ui/pages/results_pane.h"
 #include "ui/pages/search_palette.h"
@@ -137,7 +138,7 @@ void SearchActions::add_quantities(const std::string& analysis, const QString& n
                            selection_.select_entry(entry);
                            selection_.select_group(group);
                            selection_.select_output(static_cast<int>(j));
-                           results_.stage().show_view(results_.results_tab());
+                           results_.stage().show_view(&results_.outputs());
                        }});
     const auto& inputs = made->inputs.quantities;
     const QString of = to_qt(setup_path(document_.project(), entry));

@@ -68,7 +68,11 @@ void ResultTableModel::rebuild() {
 
 std::vector<std::string> ResultTableModel::keys() const {
     std::vector<std::string> keys = {"group", "symbol", "name", "unit", "estimate", "u", "U"};
-    if (!verdicts_.empty()) keys.insert(keys.end(), {"target", "U/target", "met"});
+    if (!verdicts_.empty()) keys.insert(keys.end(), {"target", "U/target"});
+    if (std::ranges::any_of(verdicts_,
+                            [](const RequirementResult& v) { return v.lower_limit || v.upper_limit; }))
+        keys.insert(keys.end(), {"lower limit", "upper limit"});
+    if (!verdicts_.empty()) keys.emplace_back("met");
     keys.insert(keys.end(), {"k", "nu_eff"});
     const bool symmetric = interval_ == Interval::symmetric;
     keys.insert(keys.end(),

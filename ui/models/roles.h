@@ -26,6 +26,7 @@ enum Role : int {
     met_role,         ///< bool: all that is required of an analysis is met
     icon_role,        ///< name of an icon: of the model of an analysis
     shape_role,       ///< title of a distribution, in English
+    hint_role,        ///< what may be typed into an empty cell, shown faint
     fraction_role,    ///< double, 0 to 1: of the largest share of a budget
 };
 

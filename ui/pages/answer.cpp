@@ -7,6 +7,7 @@
 #include "core/text/numbers.h"
 #include "core/text/symbol.h"
 #include "core/views/result_statement.h"
+#include "ui/models/sheet_figures.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
@@ -92,14 +93,35 @@ Answer answer_of(const UncertaintyResult& result, std::size_t output, const Docu
     return answer;
 }
 
+/// "U 61 ≤ 70 nm": with the digits that tell them apart.
+Text target_words(const OutputResult& output, double target, bool met, const DocumentLanguage& in,
+                  const DisplayUnits& units) {
+    constexpr int most_digits = 6;
+    const Unit unit = readable_unit(target, units.of(output.quantity.unit)).interval();
+    const double U = unit.interval_from_si(output.expanded_uncertainty), most = unit.interval_from_si(target);
+    if (!std::isfinite(U) || !(most > 0.0)) return {};
+    std::string shown, limit;
+    for (int digits = 2; digits <= most_digits && shown == limit; ++digits) {
+        const int decimals = decimals_for(most, digits);
+        shown = format_decimals(U, decimals);
+        limit = format_decimals(most, decimals);
+        if (U == most) break;
+    }
+    return symbol_text("U") + (" " + grouped_digits(shown, in.numbers()) + (met ? " ≤ " : " > ") +
+                               grouped_digits(limit, in.numbers()) + unit_after_number(unit));
+}
+
 VerdictWords verdict_words(const UncertaintyResult& result, const Answer& answer,
-                           const std::vector<RequirementResult>& verdicts) {
+                           const std::vector<RequirementResult>& verdicts, const DocumentLanguage& in,
+                           const DisplayUnits& units) {
     VerdictWords all;
     Text not_met;
     std::size_t judged = 0;
+    const RequirementResult* only = nullptr;
     for (const RequirementResult& verdict : verdicts) {
         if (!std::ranges::count(answer.outputs, verdict.output)) continue;
         ++judged;
+        only = &verdict;
         if (is_met(verdict)) continue;
         if (!not_met.empty()) not_met += ", ";
         not_met += symbol_text(result.outputs[verdict.output].quantity.symbol);
@@ -108,6 +130,10 @@ VerdictWords verdict_words(const UncertaintyResult& result, const Answer& answer
     all.met = not_met.empty();
     all.words = all.met ? Text(to_std(tr("met"))) : Text(to_std(tr("not met")));
     if (!all.met && answer.outputs.size() > 1) all.words += ": " + not_met;
+    if (answer.outputs.size() == 1 && judged == 1 && only->target_uncertainty && !only->lower_limit &&
+        !only->upper_limit && only->not_judged.empty())
+        all.detail =
+            target_words(result.outputs[only->output], *only->target_uncertainty, all.met, in, units);
     return all;
 }
 

@@ -26,10 +26,12 @@ Answer answer_of(const UncertaintyResult& result, std::size_t output, const Docu
 
 struct VerdictWords {
     bool met = true;
-    Text words;  ///< empty: nothing is required
+    Text words;   ///< empty: nothing is required
+    Text detail;  ///< "U 61 ≤ 70 nm"; empty: there is not one output with a target uncertainty
 };
 /// Verdict of the requirements on outputs that the answer is about: "not met: y, z".
 VerdictWords verdict_words(const UncertaintyResult& result, const Answer& answer,
-                           const std::vector<RequirementResult>& verdicts);
+                           const std::vector<RequirementResult>& verdicts, const DocumentLanguage& in,
+                           const DisplayUnits& units);
 
 }  // namespace covaria::ui

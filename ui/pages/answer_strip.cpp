@@ -55,6 +55,28 @@ void dim(QWidget& part, bool dimmed) {
     part.setGraphicsEffect(effect);
 }
 
+/// `is_live`: every edit is followed by a result.
+QString result_state_words(const AnalysisStatus& status, bool is_live) {
+    QString words = result_words(status);
+    if (status.is_of_present() && !status.is_current())
+        words = QStringLiteral("<b>%1</b>").arg(words) + (status.state == RunState::running
+                                                              ? AnswerStrip::tr("; running")
+                                                              : AnswerStrip::tr("; press F5 for the result"));
+    if (status.result->failed_trials > 0)
+        words += AnswerStrip::tr("; %1 trials without a value")
+                     .arg(to_qt(count_text(status.result->failed_trials)));
+    if (!represents_measurand(*status.result))
+        words = AnswerStrip::tr(
+                    "<b>Does not represent the measurand</b> (more than 1 % of the trials are lost). ") +
+                words;
+    if (!status.result->stabilised) words += AnswerStrip::tr("; not stabilised");
+    // A preview is of a moment ago while something is dragged, and there is a next one at once.
+    const bool is_followed = is_live && status.stage != ResultStage::complete && status.prepared;
+    if (!status.is_of_present() && !is_followed)
+        words = AnswerStrip::tr("<b>Out of date</b>: shown for the project as it was. ") + words;
+    return words;
+}
+
 }  // namespace
 
 AnswerStrip::AnswerStrip(Document& document, AnalysisRunner& runner, Selection& selection, QWidget* parent)
@@ -162,8 +184,10 @@ void AnswerStrip::show_verdict(const AnalysisStatus& status) {
                    state_icon(RunState::out_of_date));
     const AnalysisEntry* entry = document_.project().find_analysis(to_std(selection_.analysis()));
     if (!entry || answer_.outputs.empty()) return verdict_->show_words(Chip::Kind::neutral, {});
-    const VerdictWords verdict = verdict_words(*status.result, answer_, judge(*status.result, *entry));
-    verdict_->show_words(verdict.met ? Chip::Kind::met : Chip::Kind::not_met, verdict.words);
+    const VerdictWords verdict =
+        verdict_words(*status.result, answer_, judge(*status.result, *entry), language_of_window(), units_);
+    verdict_->show_words(verdict.met ? Chip::Kind::met : Chip::Kind::not_met, verdict.words, {},
+                         verdict.detail);
 }
 
 void AnswerStrip::show_progress(const QString& id, const RunProgress& progress) {
@@ -190,25 +214,7 @@ QString AnswerStrip::state_words() const {
     }
     if (!status.result)
         return status.prepared ? tr("Not evaluated yet: press F5.") : tr("The analysis has problems.");
-    return result_state_words(status);
-}
-
-QString AnswerStrip::result_state_words(const AnalysisStatus& status) const {
-    QString words = result_words(status);
-    if (status.is_of_present() && !status.is_current())
-        words = QStringLiteral("<b>%1</b>").arg(words) +
-                (status.state == RunState::running ? tr("; running") : tr("; press F5 for the result"));
-    if (status.result->failed_trials > 0)
-        words += tr("; %1 trials without a value").arg(to_qt(count_text(status.result->failed_trials)));
-    if (!represents_measurand(*status.result))
-        words =
-            tr("<b>Does not represent the measurand</b> (more than 1 % of the trials are lost). ") + words;
-    if (!status.result->stabilised) words += tr("; not stabilised");
-    // A preview is of a moment ago while something is dragged, and there is a next one at once.
-    const bool is_followed = runner_.is_live() && status.stage != ResultStage::complete && status.prepared;
-    if (!status.is_of_present() && !is_followed)
-        words = tr("<b>Out of date</b>: shown for the project as it was. ") + words;
-    return words;
+    return result_state_words(status, runner_.is_live());
 }
 
 void AnswerStrip::show_next_step() {
@@ -242,13 +248,19 @@ QString AnswerStrip::statements() const {
     return to_qt(answer_.statements).trimmed() + (said.isEmpty() ? said : QLatin1Char('\n') + said);
 }
 
-/// k and p are the first to go; the value is shortened at last.
+/// The figures of the verdict are the first to go, then k and p; the value is shortened at last.
 void AnswerStrip::give_way() {
-    int wanted = 2 * side_room + value_->sizeHint().width() + coverage_->sizeHint().width() +
-                 outputs_->sizeHint().width() + copy_->sizeHint().width() + 5 * part_room;
-    for (const QWidget* part : {static_cast<const QWidget*>(verdict_), static_cast<const QWidget*>(next_)})
-        if (!part->isHidden()) wanted += part->sizeHint().width() + part_room;
-    coverage_->setVisible(!coverage_->text().empty() && wanted <= width());
+    const auto has_room = [this] {
+        int wanted = 2 * side_room + 5 * part_room;
+        for (const QWidget* part : std::initializer_list<const QWidget*>{value_, coverage_, outputs_, copy_})
+            wanted += part->sizeHint().width();
+        for (const QWidget* part : std::initializer_list<const QWidget*>{verdict_, next_})
+            if (!part->isHidden()) wanted += part->sizeHint().width() + part_room;
+        return wanted <= width();
+    };
+    verdict_->set_brief(false);
+    verdict_->set_brief(!has_room());
+    coverage_->setVisible(!coverage_->text().empty() && has_room());
 }
 
 void AnswerStrip::resizeEvent(QResizeEvent* event) {

@@ -21,7 +21,7 @@ class Chip;
 class TypesetLabel;
 
 /// The statement, k, p and the verdict; below them how it came about and how far a run is. What there is no
-/// room for gives way from the right: the method, then k and p.
+/// room for gives way from the right: the method, the figures of the verdict, then k and p.
 class AnswerStrip : public QWidget {
     Q_OBJECT
 public:
@@ -60,7 +60,6 @@ private:
     void show_progress(const QString& id, const RunProgress& progress);
     void give_way();
     QString state_words() const;
-    QString result_state_words(const AnalysisStatus& status) const;
 
     Document& document_;
     AnalysisRunner& runner_;

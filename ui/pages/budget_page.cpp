@@ -15,6 +15,7 @@
 #include "core/text/numbers.h"
 #include "core/text/symbol.h"
 #include "core/views/result_statement.h"
+#include "ui/forms/budget_foot.h"
 #include "ui/forms/budget_sheet_view.h"
 #include "ui/forms/complaint.h"
 #include "ui/models/roles.h"
@@ -42,18 +43,11 @@ std::string shown_coefficient(double r) {
 }  // namespace
 
 BudgetPage::BudgetPage(Document& document, AnalysisRunner& runner, Selection& selection, QWidget* parent)
-    : QWidget(parent), document_(document), runner_(runner), selection_(selection), correlations_(document) {
+    : QWidget(parent), document_(document), runner_(runner), selection_(selection) {
+    pair_ = new PairCorrelation(document, this);
     column_ = new QVBoxLayout(this);
     column_->setContentsMargins(0, 4, 0, 8);  // the table has the whole stage
     column_->setSpacing(6);
-    pair_ = new QLabel(this);
-    pair_->setTextFormat(Qt::RichText);
-    correlation_ = new QLineEdit(this);
-    correlation_->setObjectName(QStringLiteral("correlation"));
-    correlation_->setAccessibleName(tr("Correlation coefficient"));
-    follow_font(*correlation_, [this] {
-        correlation_->setFixedWidth(8 * correlation_->fontMetrics().averageCharWidth() + 12);
-    });
     remark_ = new QLabel(this);
     remark_->setTextFormat(Qt::RichText);
     remark_->setWordWrap(true);
@@ -61,11 +55,8 @@ BudgetPage::BudgetPage(Document& document, AnalysisRunner& runner, Selection& se
     below->setContentsMargins(16, 0, 16, 0);
     below->addWidget(remark_, 1, Qt::AlignTop);
     below->addWidget(pair_, 0, Qt::AlignTop);
-    below->addWidget(correlation_, 0, Qt::AlignTop);
     column_->addLayout(below);
-    correlation_->installEventFilter(this);
-    connect(correlation_, &QLineEdit::editingFinished, this, &BudgetPage::take_correlation);
-    connect(&correlations_, &QAbstractItemModel::modelReset, this, &BudgetPage::show_correlation);
+    column_->addStretch(1);
     connect(&selection_, &Selection::analysis_changed, this, &BudgetPage::show_analysis);
     connect(&selection_, &Selection::output_changed, this, &BudgetPage::take_result);
     const auto take_if_shown = [this](const QString& id) {
@@ -81,16 +72,21 @@ BudgetPage::BudgetPage(Document& document, AnalysisRunner& runner, Selection& se
 
 void BudgetPage::start_over() {
     analysis_.clear();
+    clear();
+    show_analysis();
+}
+
+void BudgetPage::clear() {
+    pair_->follow(nullptr, nullptr);
+    delete std::exchange(foot_, nullptr);
     delete std::exchange(view_, nullptr);
     model_.reset();
-    show_analysis();
 }
 
 void BudgetPage::show_analysis() {
     if (model_ && selection_.analysis() == analysis_) return;
     analysis_ = selection_.analysis();
-    delete std::exchange(view_, nullptr);
-    model_.reset();
+    clear();
     const SetupAddress address{SetupOwner::analysis, to_std(analysis_)};
     const FieldSpec* field = stating_table(document_.project(), address);
     setVisible(field != nullptr);
@@ -101,17 +97,20 @@ void BudgetPage::show_analysis() {
     view_ = new BudgetSheetView(*model_, this);
     view_->setObjectName(QStringLiteral("budget"));
     view_->setAccessibleName(tr("Budget"));
-    column_->insertWidget(0, view_, 1);
-    connect(view_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
-            &BudgetPage::show_correlation);
+    column_->insertWidget(0, view_, 100);
+    foot_ = new BudgetFoot(result_row_, *view_, this);
+    foot_->setObjectName(QStringLiteral("budget_result"));
+    foot_->setAccessibleName(tr("Result of the budget"));
+    column_->insertWidget(1, foot_);
+    pair_->follow(model_.get(), view_);
     connect(view_, &BudgetSheetView::quantity_asked, this, &BudgetPage::ask_for_quantity);
     auto* correlate = new QAction(tr("Correlation of Two Rows"), view_);
     correlate->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_R));
     correlate->setShortcutContext(Qt::WidgetShortcut);
     view_->addAction(correlate);
-    connect(correlate, &QAction::triggered, this, &BudgetPage::ask_for_correlation);
+    connect(correlate, &QAction::triggered, pair_, &PairCorrelation::ask);
     setFocusProxy(view_);
-    setTabOrder(view_, correlation_);
+    setTabOrder(view_, &correlation());
     take_result();
 }
 
@@ -119,7 +118,7 @@ void BudgetPage::show_analysis() {
 void BudgetPage::follow_in_tab_order(QWidget& before) {
     if (!view_) return;
     setTabOrder(&before, view_);
-    setTabOrder(view_, correlation_);
+    setTabOrder(view_, &correlation());
 }
 
 void BudgetPage::ask_for_quantity(int row) {
@@ -146,8 +145,8 @@ void BudgetPage::take_result() {
     const AnalysisStatus& status = runner_.status(analysis_);
     const auto output = static_cast<std::size_t>(std::max(0, selection_.output()));
     model_->set_result(status.result, output, status.is_of_present());
-    if (status.prepared != correlations_.analysis()) correlations_.set_analysis(status.prepared);
-    show_correlation();
+    result_row_.set_result(status.result, output, status.is_of_present(), units_, digits_);
+    pair_->set_analysis(status.prepared);
     if (!status.result) return remark_->clear();
     const QString correlated = status.prepared ? correlation_words(*status.prepared) : QString();
     const QString first_order = first_order_words(*status.result);
@@ -157,79 +156,6 @@ void BudgetPage::take_result() {
     // A label breaks a number between its groups, but at no such space.
     words.replace(QChar(0x202f), QChar(QChar::Nbsp));
     remark_->setText(words.replace(QStringLiteral(" = "), QStringLiteral("\u00a0=\u00a0")));
-}
-
-std::set<int> BudgetPage::selected_rows() const {
-    std::set<int> rows;
-    for (const QModelIndex& cell : view_->selectionModel()->selectedIndexes()) rows.insert(cell.row());
-    return rows;
-}
-
-/// Selects the text of the coefficient on focus, so that typing replaces it, also after a click.
-bool BudgetPage::eventFilter(QObject* watched, QEvent* event) {
-    if (watched == correlation_ && event->type() == QEvent::FocusIn)
-        QMetaObject::invokeMethod(correlation_, &QLineEdit::selectAll, Qt::QueuedConnection);
-    return QWidget::eventFilter(watched, event);
-}
-
-QModelIndex BudgetPage::selected_pair() {
-    if (!view_ || !correlations_.analysis()) return {};
-    const std::set<int> rows = selected_rows();
-    if (rows.size() != 2) return {};
-    std::array<int, 2> at{};
-    auto place = at.begin();
-    for (const int row : rows) {
-        const std::string id = model_->component_of(row);
-        if (id.empty()) return {};
-        const auto find = [&] {
-            for (int i = 0; i < correlations_.rowCount(); ++i)
-                if (to_std(correlations_.headerData(i, Qt::Vertical).toString()) == id) return i;
-            return -1;
-        };
-        if (find() < 0) {
-            const QSignalBlocker quiet(correlations_);  // nobody else looks at it
-            correlations_.add_component(id);
-        }
-        *place++ = find();
-    }
-    return correlations_.index(at[0], at[1]);
-}
-
-void BudgetPage::show_correlation() {
-    if (correlation_->hasFocus()) return;
-    const QModelIndex cell = selected_pair();
-    for (QWidget* widget : {static_cast<QWidget*>(pair_), static_cast<QWidget*>(correlation_)})
-        widget->setEnabled(cell.isValid());
-    const auto symbol = [this](int row) { return to_qt(to_html(symbol_text(model_->symbol_of(row)))); };
-    pair_->setText(cell.isValid()
-                       ? tr("<i>r</i>(%1, %2) =")
-                             .arg(symbol(*selected_rows().begin()), symbol(*selected_rows().rbegin()))
-                       : tr("<i>r</i> of two rows ="));
-    correlation_->setText(cell.isValid() ? cell.data(Qt::EditRole).toString() : QString());
-    mark_correlation(cell);
-}
-
-void BudgetPage::mark_correlation(const QModelIndex& cell) {
-    const bool lack = !cell.isValid() && view_ && selected_rows().size() == 2;
-    mark(*correlation_, cell.data(problem_role).toString(),
-         lack ? tr("Both quantities need an uncertainty before they can be correlated")
-              : tr("Select two rows, and type the correlation coefficient of their components"));
-}
-
-void BudgetPage::take_correlation() {
-    const QModelIndex cell = selected_pair();
-    if (cell.isValid() && correlation_->text() != cell.data(Qt::EditRole).toString())
-        correlations_.setData(cell, correlation_->text());
-    mark_correlation(cell);
-}
-
-/// Gives the keyboard to the coefficient; without two rows selected a tooltip says what to do.
-void BudgetPage::ask_for_correlation() {
-    if (correlation_->isEnabled())
-        correlation_->setFocus();
-    else
-        QToolTip::showText(correlation_->mapToGlobal(QPoint(0, correlation_->height())),
-                           correlation_->toolTip(), correlation_);
 }
 
 QString BudgetPage::correlation_words(const PreparedAnalysis& analysis) const {

@@ -16,13 +16,13 @@
 #include "core/views/plots.h"
 #include "ui/charts/chart_view.h"
 #include "ui/document/component_source.h"
-#include "ui/forms/flow_layout.h"
 #include "ui/forms/form_labels.h"
 #include "ui/pages/all_results_tab.h"
 #include "ui/pages/answer_strip.h"
 #include "ui/pages/compare_tab.h"
 #include "ui/pages/design_tab.h"
 #include "ui/pages/evaluation_tab.h"
+#include "ui/pages/outputs_tab.h"
 #include "ui/pages/report_preview.h"
 #include "ui/pages/second_part.h"
 #include "ui/pages/seen_tab.h"
@@ -64,7 +64,10 @@ ResultsPane::ResultsPane(Document& document, AnalysisRunner& runner, Selection& 
       selection_(selection),
       preferences_(preferences) {
     tabs_ = new Tabs;
-    tabs_->addTab(results_tab_ = make_results_tab(), tr("Results"));
+    make_units_and_digits();
+    outputs_ = new OutputsTab(document, selection, *units_, *digits_);
+    tabs_->addTab(outputs_, tr("Results"));
+    connect(outputs_, &OutputsTab::shown_group_changed, this, [this] { show_group(selection_.group()); });
     tabs_->addTab(budget_tab_ = make_budget_tab(), tr("Budget"));
     tabs_->addTab(charts_tab_ = make_charts_tab(), tr("Charts"));
     auto* evaluation = new EvaluationTab(runner, selection);
@@ -101,8 +104,7 @@ ResultsPane::ResultsPane(Document& document, AnalysisRunner& runner, Selection& 
     take_result();
 }
 
-/// Adds the choice of units and of digits at the right of the filter.
-void ResultsPane::add_units_and_digits(QHBoxLayout& row) {
+void ResultsPane::make_units_and_digits() {
     units_ = new UnitButton(document_, preferences_);
     digits_ = new QSpinBox;
     digits_->setRange(fewest_digits, most_digits);
@@ -111,100 +113,13 @@ void ResultsPane::add_units_and_digits(QHBoxLayout& row) {
     digits_->setToolTip(
         tr("Significant digits of uncertainties in the window; estimates are rounded to match. "
            "Documents have those of the project page."));
-    row.addWidget(units_);
-    row.addWidget(digits_);
     connect(digits_, &QSpinBox::valueChanged, this, [this](int digits) {
-        result_model_.set_digits(digits);
+        outputs_->model().set_digits(digits);
         budget_model_.set_digits(digits);
         compare_->set_digits(digits);
         all_->set_digits(digits);
         answer_->set_digits(digits);
     });
-}
-
-QWidget* ResultsPane::make_filter() {
-    auto* bar = new QWidget;
-    auto* parts = new FlowLayout(bar);  // large letters put units and digits below the filter
-    parts->setContentsMargins(4, 2, 4, 2);
-    const auto add_part = [parts] {
-        auto* part = new QWidget;
-        auto* row = new QHBoxLayout(part);
-        row->setContentsMargins(0, 0, 0, 0);
-        parts->addWidget(part);
-        return row;
-    };
-    QHBoxLayout* row = add_part();
-    filter_ = new QLineEdit;
-    filter_->setObjectName(QStringLiteral("result_filter"));
-    filter_->setPlaceholderText(tr("Filter: symbol, name, group"));
-    filter_->setAccessibleName(tr("Filter of the results"));
-    filter_->setClearButtonEnabled(true);
-    keep_placeholder(*filter_);
-    filter_->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
-    all_groups_ = new QCheckBox(tr("All groups"));
-    all_groups_->setToolTip(tr("Results of all poses, points or targets, whichever is selected"));
-    only_not_met_ = new QCheckBox(tr("Not met only"));
-    only_not_met_->setToolTip(tr("Only results whose target uncertainty or tolerance is not met"));
-    row->addWidget(filter_);
-    row = add_part();
-    row->addWidget(all_groups_);
-    row->addWidget(only_not_met_);
-    add_units_and_digits(*add_part());
-    connect(filter_, &QLineEdit::textChanged, this, &ResultsPane::take_filter);
-    connect(only_not_met_, &QCheckBox::toggled, this, &ResultsPane::take_filter);
-    connect(all_groups_, &QCheckBox::toggled, this, [this](bool on) {
-        results_->set_column_shown(0, on);  // the group
-        show_group(selection_.group());
-    });
-    return bar;
-}
-
-void ResultsPane::take_filter() {
-    result_model_.set_filter(filter_->text(), only_not_met_->isChecked());
-    results_->select_row(result_model_.row_of(std::size_t(std::max(0, selection_.output()))));
-}
-
-QString ResultsPane::shown_group() const {
-    return all_groups_->isChecked() ? QString() : selection_.group();
-}
-
-/// Verdicts are of the requirements as they are now.
-void ResultsPane::take_requirements() {
-    const AnalysisEntry* entry = document_.project().find_analysis(to_std(selection_.analysis()));
-    std::vector<RequirementResult> verdicts;
-    if (result_ && entry) verdicts = judge(*result_, *entry);
-    only_not_met_->setEnabled(!verdicts.empty() || only_not_met_->isChecked());
-    result_model_.set_result(result_, current_, std::move(verdicts));
-    answer_->take_result();
-}
-
-QWidget* ResultsPane::make_results_tab() {
-    results_ = new SortableTable(result_model_, tr("results"));
-    results_->setObjectName(QStringLiteral("results_table"));
-    results_->set_columns(QStringLiteral("results"),
-                          {QStringLiteral("Group"), QStringLiteral("Estimate (first order)"),
-                           QStringLiteral("U (first order)")});
-    results_->extend_menu = [this](QMenu& menu, int row) {
-        const std::size_t output = result_model_.output_of(row);
-        units_->add_choices(*menu.addMenu(tr("Unit")), result_->outputs[output].quantity.unit);
-        QAction* shortest = menu.addAction(tr("Shortest Coverage Intervals"));
-        shortest->setCheckable(true);
-        shortest->setChecked(shortest_);
-        connect(shortest, &QAction::toggled, this, [this](bool on) {
-            shortest_ = on;
-            result_model_.set_interval(on ? ResultTableModel::Interval::shortest
-                                          : ResultTableModel::Interval::symmetric);
-        });
-    };
-    connect(results_, &SortableTable::row_selected, this,
-            [this](int row) { selection_.select_output(int(result_model_.output_of(row))); });
-    auto* tab = new QWidget;
-    auto* column = new QVBoxLayout(tab);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
-    column->addWidget(make_filter());
-    column->addWidget(results_, 1);
-    return tab;
 }
 
 QWidget* ResultsPane::make_budget_tab() {
@@ -257,14 +172,16 @@ QWidget* ResultsPane::make_charts_tab() {
     add(make_distributions_tab(), tr("Distributions"));
     add(make_correlation_tab(), tr("Correlation"));
     add(make_convergence_tab(), tr("Convergence"));
-    auto* row = new QHBoxLayout;
+    auto* head = new QWidget;
+    head->setObjectName(QLatin1String(SecondPart::head_of_view));
+    auto* row = new QHBoxLayout(head);
     row->setContentsMargins(8, 4, 8, 4);
     row->addWidget(charts_);
     row->addStretch(1);
     auto* column = new QVBoxLayout(tab);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
-    column->addLayout(row);
+    column->addWidget(head);
     column->addWidget(pages, 1);
     connect(charts_, &QComboBox::currentIndexChanged, this, [this, pages](int index) {
         pages->setCurrentIndex(index);
@@ -305,7 +222,8 @@ void ResultsPane::connect_selection() {
     });
     connect(&document_, &Document::project_changed, this, [this] {
         if (!(document_.project().results.style == shown_style_)) take_preferences();
-        take_requirements();
+        outputs_->take_requirements();
+        answer_->take_result();
     });
     connect(&selection_, &Selection::group_changed, this, &ResultsPane::show_group);
     connect(&selection_, &Selection::output_changed, this, &ResultsPane::show_output);
@@ -316,10 +234,9 @@ void ResultsPane::take_result() {
     result_ = status.result;
     current_ = status.is_of_present();
     const QString said = reservation(status);
-    for (SortableTable* table : {results_, budget_, correlation_}) table->set_remark(said);
+    for (SortableTable* table : {&outputs_->table(), budget_, correlation_}) table->set_remark(said);
     units_->set_result(result_);
-    result_model_.set_group(to_std(shown_group()));
-    take_requirements();
+    outputs_->set_result(result_, current_);
     refresh_outputs();
     show_group(selection_.group());
 }
@@ -329,7 +246,7 @@ void ResultsPane::take_preferences() {
     // A number chosen here stays until another one is stated.
     const int stated = shown_style_.digits.value_or(preferences_.now().digits);
     if (std::exchange(stated_digits_, stated) != stated) digits_->setValue(stated);
-    result_model_.set_units(units_->units());
+    outputs_->take_units();
     budget_model_.set_units(units_->units());
     compare_->set_units(units_->units());
     all_->set_units(units_->units());
@@ -352,14 +269,14 @@ void ResultsPane::refresh_outputs() {
     if (!result_) return output->hide();
     for (std::size_t i = 0; i < result_->outputs.size(); ++i) {
         const OutputQuantity& quantity = result_->outputs[i].quantity;
-        if (!shown_group().isEmpty() && to_qt(quantity.group) != shown_group()) continue;
+        if (!outputs_->shown_group().isEmpty() && to_qt(quantity.group) != outputs_->shown_group()) continue;
         output->add_item(output_words(quantity.symbol, quantity.group), int(i));
     }
     output->setVisible(output->count() > 1);
 }
 
 void ResultsPane::show_group(const QString& group) {
-    result_model_.set_group(to_std(shown_group()));
+    outputs_->take_group();
     correlation_model_.set_result(result_, to_std(group), current_);
     correlation_->setVisible(correlation_model_.rowCount() > 1);
     refresh_outputs();
@@ -375,7 +292,7 @@ void ResultsPane::show_output(int output) {
         TypesetComboBox* list = &answer_->outputs();
         const QSignalBlocker blocker(list);
         list->setCurrentIndex(list->findData(output));
-        results_->select_row(result_model_.row_of(std::size_t(output)));
+        outputs_->select_output(std::size_t(output));
     }
     budget_model_.set_result(known ? result_ : nullptr, known ? std::size_t(output) : 0, current_);
     answer_->take_result();
@@ -386,7 +303,7 @@ void ResultsPane::go_to_result(const QString& analysis, const QString& group, in
     selection_.select_entry({SetupOwner::analysis, to_std(analysis)});
     selection_.select_group(group);
     selection_.select_output(output);
-    stage_->show_view(results_tab());
+    stage_->show_view(outputs_);
 }
 
 void ResultsPane::refresh_charts() {
@@ -421,7 +338,7 @@ void ResultsPane::set_typed(bool typed) {
     stage_->name_first(typed ? tr("Budget") : tr("Scene"));
     tabs_->setTabText(stage_->tab_of(budget_tab_), typed ? tr("Contributions") : tr("Budget"));
     stage_->second().take_names();
-    stage_->show_usual(typed ? *charts_tab_ : *results_tab());
+    stage_->show_usual(typed ? *charts_tab_ : static_cast<QWidget&>(*outputs_));
 }
 
 void ResultsPane::start_over() {

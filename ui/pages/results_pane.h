@@ -9,14 +9,10 @@
 #include "ui/document/selection.h"
 #include "ui/models/budget_table_model.h"
 #include "ui/models/correlation_table_model.h"
-#include "ui/models/result_table_model.h"
 #include "ui/run/analysis_runner.h"
 #include "ui/theme/preferences.h"
 
-class QCheckBox;
 class QComboBox;
-class QHBoxLayout;
-class QLineEdit;
 class QSpinBox;
 
 namespace covaria {
@@ -32,6 +28,7 @@ class CompareTab;
 class ReportPreview;
 class SortableTable;
 class DesignTab;
+class OutputsTab;
 class SeenTab;
 class Stage;
 class StudyTab;
@@ -55,13 +52,8 @@ public:
     Stage& stage() { return *stage_; }
     QTabWidget& tabs() { return *tabs_; }
     QComboBox& chart_kind() { return *charts_; }
-    QWidget* results_tab() { return results_tab_; }
     QWidget* budget_tab() { return budget_tab_; }
-    SortableTable& result_table() { return *results_; }
-    /// Field above the tables that filters their rows.
-    QLineEdit& filter() { return *filter_; }
-    QCheckBox& only_not_met() { return *only_not_met_; }
-    QCheckBox& all_groups() { return *all_groups_; }
+    OutputsTab& outputs() { return *outputs_; }
     SortableTable& budget_table() { return *budget_; }
     UnitButton& units() { return *units_; }
     QSpinBox& digits() { return *digits_; }
@@ -80,9 +72,7 @@ signals:
     void place_wanted(const QString& path);
 
 private:
-    void add_units_and_digits(QHBoxLayout& row);
-    QWidget* make_filter();
-    QWidget* make_results_tab();
+    void make_units_and_digits();
     QWidget* make_budget_tab();
     QWidget* make_charts_tab();
     QWidget* make_distributions_tab();
@@ -90,8 +80,6 @@ private:
     QWidget* make_convergence_tab();
     void connect_selection();
     void take_result();
-    void take_requirements();
-    void take_filter();
     void refresh_outputs();
     void show_group(const QString& group);
     void show_output(int output);
@@ -101,9 +89,6 @@ private:
     void refresh_charts();
     void show_chart(ChartView& view, PlotSpecification plot) const;
 
-    /// Group that the tables show; empty: all.
-    QString shown_group() const;
-
     Document& document_;
     AnalysisRunner& runner_;
     Selection& selection_;
@@ -112,21 +97,18 @@ private:
     int stated_digits_ = 0;    ///< stated by project or preferences
     ResultPointer result_;
     bool current_ = true;
-    bool shortest_ = false;  ///< coverage intervals, else probabilistically symmetric ones
-    ResultTableModel result_model_;
     BudgetTableModel budget_model_;
     CorrelationTableModel correlation_model_;
 
     Stage* stage_ = nullptr;
-    QWidget *results_tab_ = nullptr, *budget_tab_ = nullptr, *charts_tab_ = nullptr;
+    QWidget *budget_tab_ = nullptr, *charts_tab_ = nullptr;
     QComboBox* charts_ = nullptr;
     AnswerStrip* answer_ = nullptr;
     UnitButton* units_ = nullptr;
     QSpinBox* digits_ = nullptr;
     QTabWidget* tabs_ = nullptr;
-    QLineEdit* filter_ = nullptr;
-    QCheckBox *only_not_met_ = nullptr, *all_groups_ = nullptr;
-    SortableTable *results_ = nullptr, *budget_ = nullptr, *correlation_ = nullptr;
+    OutputsTab* outputs_ = nullptr;
+    SortableTable *budget_ = nullptr, *correlation_ = nullptr;
     ChartView* contributions_ = nullptr;
     ChartView* histogram_ = nullptr;
     ChartView* quantiles_ = nullptr;

@@ -6,6 +6,7 @@
 #include <QTabWidget>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <utility>
 
 #include "ui/theme/fonts.h"
 #include "ui/theme/icons.h"
@@ -36,12 +37,12 @@ void SecondPart::make_head(QVBoxLayout& column) {
     close->setFocusPolicy(Qt::TabFocus);
     close->setToolTip(tr("Close this part"));
     close->setAccessibleName(tr("Close this part"));
-    auto* head = new QHBoxLayout;
-    head->setContentsMargins(8, 4, 8, 4);
-    head->addWidget(list_);
-    head->addStretch(1);
-    head->addWidget(close);
-    column.addLayout(head);
+    head_ = new QHBoxLayout;
+    head_->setContentsMargins(8, 4, 8, 4);
+    head_->addWidget(list_);
+    head_->addStretch(1);
+    head_->addWidget(close);
+    column.addLayout(head_);
     connect(close, &QToolButton::clicked, this, &SecondPart::close_part);
     connect(list_, &QComboBox::activated, this,
             [this](int index) { show_view(list_->itemData(index).value<QWidget*>()); });
@@ -71,12 +72,15 @@ void SecondPart::take(QWidget* view) {
     replace_page(tabs_.indexOf(view), gap_);
     view_ = view;
     room_->addWidget(view, 1);
+    line_ = view->findChild<QWidget*>(QLatin1String(head_of_view), Qt::FindDirectChildrenOnly);
+    if (line_) head_->insertWidget(1, line_);
     view->show();
 }
 
 void SecondPart::give_back() {
     if (!view_) return;
     const int tab = tab_of(view_);
+    if (line_) qobject_cast<QBoxLayout*>(view_->layout())->insertWidget(0, std::exchange(line_, nullptr));
     room_->removeWidget(view_);
     replace_page(tab, view_);
     gap_->setParent(this);

@@ -4,6 +4,7 @@
 #include <QWidget>
 
 class QComboBox;
+class QHBoxLayout;
 class QTabWidget;
 class QVBoxLayout;
 
@@ -14,6 +15,9 @@ namespace covaria::ui {
 class SecondPart : public QWidget {
     Q_OBJECT
 public:
+    /// Object name of the first line of a view that has choices of its own: here it stands beside the list.
+    static constexpr char head_of_view[] = "head_of_view";
+
     explicit SecondPart(QTabWidget& tabs, QWidget* parent = nullptr);
 
     /// The view that is here; null: the part is closed.
@@ -44,7 +48,9 @@ private:
     QWidget* view_ = nullptr;
     QWidget* main_ = nullptr;  ///< the view that the tabs showed last
     QComboBox* list_;
+    QHBoxLayout* head_;
     QVBoxLayout* room_;
+    QWidget* line_ = nullptr;  ///< first line of the view, in the head while the view is here
 };
 
 }  // namespace covaria::ui

@@ -35,14 +35,28 @@ Chip::Chip(QWidget* parent) : QWidget(parent) {
     hide();
 }
 
-void Chip::show_words(Kind kind, const Text& words, const QString& sign) {
+void Chip::show_words(Kind kind, const Text& words, const QString& sign, const Text& detail) {
     kind_ = kind;
     words_ = words;
+    detail_ = detail;
     sign_ = sign;
-    setAccessibleName(to_qt(to_unicode(words)));
+    const QString whole = to_qt(to_unicode(detail.empty() ? words : words + ": " + detail));
+    setAccessibleName(whole);
+    setToolTip(detail.empty() ? QString() : whole);
     setVisible(!words.empty());
     updateGeometry();
     update();
+}
+
+void Chip::set_brief(bool brief) {
+    if (brief == brief_) return;
+    brief_ = brief;
+    updateGeometry();
+    update();
+}
+
+Text Chip::words() const {
+    return brief_ || detail_.empty() ? words_ : words_ + ": " + detail_;
 }
 
 QFont Chip::letters() const {
@@ -55,7 +69,7 @@ QSize Chip::sizeHint() const {
     const bool has_sign = kind_ != Kind::neutral || !sign_.isEmpty();
     const int before = has_sign ? sign_size + sign_gap : 0;
     const QFont font = letters();
-    return {2 * chip_side + before + int(std::ceil(text_width(words_, font))),
+    return {2 * chip_side + before + int(std::ceil(text_width(words(), font))),
             QFontMetrics(font).height() + 2 * chip_around};
 }
 
@@ -76,7 +90,7 @@ void Chip::paintEvent(QPaintEvent*) {
         draw_sign(painter, box.adjusted(1, 1, -1, -1), kind_, ink);
     if (!sign_.isEmpty() || kind_ != Kind::neutral) x += sign_size + sign_gap;
     painter.setPen(ink);
-    const LabelText label(words_, letters());
+    const LabelText label(words(), letters());
     label.draw(painter, {x, 0.5 * (height() - label.height())});
 }
 

@@ -13,10 +13,13 @@ public:
     enum class Kind { met, not_met, neutral };
     explicit Chip(QWidget* parent = nullptr);
 
-    /// Shows the words; hidden without any. `sign`: an icon of the set; empty: that of the kind.
-    void show_words(Kind kind, const Text& words, const QString& sign = {});
+    /// Shows the words; hidden without any. `sign`: an icon of the set; empty: that of the kind. `detail`
+    /// stands behind the words unless the chip is brief.
+    void show_words(Kind kind, const Text& words, const QString& sign = {}, const Text& detail = {});
+    void set_brief(bool brief);
     Kind kind() const { return kind_; }
-    const Text& words() const { return words_; }
+    /// Words as they are shown.
+    Text words() const;
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override { return sizeHint(); }
 
@@ -27,7 +30,8 @@ private:
     QFont letters() const;
 
     Kind kind_ = Kind::neutral;
-    Text words_;
+    Text words_, detail_;
+    bool brief_ = false;
     QString sign_;
 };
 

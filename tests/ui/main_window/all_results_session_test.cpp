@@ -8,6 +8,7 @@
 #include "ui/models/project_tree_model.h"
 #include "ui/models/roles.h"
 #include "ui/pages/all_results_tab.h"
+#include "ui/pages/outputs_tab.h"
 #include "ui/pages/sortable_table.h"
 #include "ui/pages/stage.h"
 
@@ -78,7 +79,7 @@ TEST_F(AllResultsSession, WhatIsNotMetInAnyAnalysisIsFoundAndGoneTo) {
     EXPECT_EQ(window_->selection().analysis(), QStringLiteral("from-artefacts"));
     EXPECT_EQ(window_->selection().group(), to_qt(last.quantity.group));
     EXPECT_EQ(window_->selection().output(), int(result->outputs.size()) - 1);
-    EXPECT_TRUE(window_->results().stage().shows(window_->results().result_table()));
+    EXPECT_TRUE(window_->results().stage().shows(window_->results().outputs().table()));
 }
 
 TEST_F(AllResultsSession, TheFilterSearchesAnalysesToo) {

@@ -13,6 +13,7 @@
 #include "ui/pages/design_tab.h"
 #include "ui/pages/empty_note.h"
 #include "ui/pages/evaluation_view.h"
+#include "ui/pages/outputs_tab.h"
 #include "ui/pages/stage.h"
 
 namespace covaria::ui::design_session_test {
@@ -56,7 +57,7 @@ TEST_F(DesignSession, ARunIsShownAndSymbolsAreSet) {
     type_into("variable_0_from", QStringLiteral("-1 m"));
     type_into("variable_0_to", QStringLiteral("1"));
     type_into("design_most_evaluations", QStringLiteral("60"));
-    window_->results().stage().show_view(window_->results().results_tab());
+    window_->results().stage().show_view(&window_->results().outputs());
     press(window_->properties(), "run_design");
     EXPECT_TRUE(window_->results().stage().shows(tab()));
     ASSERT_TRUE(wait_for([this] { return design_status().is_current(); }));
@@ -178,7 +179,7 @@ TEST_F(DesignSession, TheSceneShowsWhatWasFoundWhileItsTabIsOnTop) {
         const auto scene = window_->scene().view().scene();
         return scene && scene->caption.find("out of date") != std::string::npos;
     }));
-    window_->results().stage().show_view(window_->results().results_tab());
+    window_->results().stage().show_view(&window_->results().outputs());
     EXPECT_TRUE(wait_for([&] { return map().empty(); }));
 }
 

@@ -5,6 +5,7 @@
 
 #include "tests/ui/main_window/session_fixture.h"
 #include "ui/document/project_edits.h"
+#include "ui/pages/outputs_tab.h"
 #include "ui/pages/sortable_table.h"
 
 namespace covaria::ui::editing_session_test {
@@ -26,12 +27,12 @@ TEST_F(EditingSession, AnEditedUncertaintyChangesTableChartAndScene) {
     const double before = expanded_uncertainty(2);
     const QImage scene_before = scene_picture();
     ASSERT_FALSE(scene_before.isNull());
-    const QString cell_before = window_->results().result_table().csv();
+    const QString cell_before = window_->results().outputs().table().csv();
 
     type_into("base_u_z", QStringLiteral("1.05 mm"));
     wait_until_idle();
     EXPECT_GT(expanded_uncertainty(2), 2.0 * before);
-    EXPECT_NE(window_->results().result_table().csv(), cell_before);
+    EXPECT_NE(window_->results().outputs().table().csv(), cell_before);
     EXPECT_NE(scene_picture(), scene_before);
 }
 

@@ -14,6 +14,7 @@
 #include "ui/pages/budget_page.h"
 #include "ui/pages/first_steps_panel.h"
 #include "ui/pages/highlight_frame.h"
+#include "ui/pages/outputs_tab.h"
 #include "ui/pages/page_view.h"
 #include "ui/pages/report_preview.h"
 #include "ui/pages/stage.h"
@@ -234,7 +235,7 @@ TEST_F(FirstStepsSession, TheKeyboardIsEnough) {
     show->setFocus();
     QTest::keyClick(show, Qt::Key_Space);
     ASSERT_TRUE(wait_for([&] { return frame->isVisible(); }));
-    window_->results().stage().show_view(window_->results().results_tab());
+    window_->results().stage().show_view(&window_->results().outputs());
     EXPECT_TRUE(wait_for([&] { return !frame->isVisible(); })) << "what it is about is not in view";
     window_->results().stage().show_view(&window_->results().report());
     EXPECT_TRUE(wait_for([&] { return frame->isVisible(); }));

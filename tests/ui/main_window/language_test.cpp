@@ -37,6 +37,7 @@
 #include "ui/pages/compare_tab.h"
 #include "ui/pages/evaluation_view.h"
 #include "ui/pages/library_browser.h"
+#include "ui/pages/outputs_tab.h"
 #include "ui/pages/page_list.h"
 #include "ui/pages/search_palette.h"
 #include "ui/pages/sortable_table.h"
@@ -269,7 +270,7 @@ TEST_F(Languages, TheSameColumnsAreHidden) {
     open(project_copy());
     wait_until_idle();
     select(SetupOwner::analysis, window_->document().project().analyses.front().id);
-    const SortableTable& table = window_->results().result_table();
+    const SortableTable& table = window_->results().outputs().table();
     ASSERT_TRUE(wait_for([&] { return table.model()->columnCount() > 0; }));
     QStringList hidden;
     for (int c = 0; c < table.model()->columnCount(); ++c)

@@ -21,6 +21,7 @@
 #include "ui/models/roles.h"
 #include "ui/pages/field_help.h"
 #include "ui/pages/message_panes.h"
+#include "ui/pages/outputs_tab.h"
 #include "ui/pages/project_pane.h"
 #include "ui/pages/properties_pane.h"
 #include "ui/pages/question_tile.h"
@@ -145,7 +146,7 @@ TEST_F(Look, LiveIsRemembered) {
 TEST_F(Look, ColumnsAreChosenAndRemembered) {
     open(project_copy());
     wait_until_idle();
-    SortableTable& table = window_->results().result_table();
+    SortableTable& table = window_->results().outputs().table();
     const int group = column(*table.model(), QStringLiteral("Group"));
     EXPECT_TRUE(table.isColumnHidden(group)) << "one group is shown at a time";
     QMenu menu;
@@ -159,7 +160,7 @@ TEST_F(Look, ColumnsAreChosenAndRemembered) {
     make_window();
     open(project_copy());
     wait_until_idle();
-    SortableTable& again = window_->results().result_table();
+    SortableTable& again = window_->results().outputs().table();
     EXPECT_FALSE(again.isColumnHidden(group));
     EXPECT_EQ(again.columnWidth(group), 123);
     EXPECT_TRUE(again.isColumnHidden(column(*again.model(), QStringLiteral("k"))));
@@ -210,7 +211,7 @@ TEST_F(Look, OnlyWidthsThatTheUserGaveAreRemembered) {
 TEST_F(Look, UnitsAreChosenForTablesAndChartsAndRemembered) {
     open(project_copy());
     wait_until_idle();
-    const QAbstractItemModel& model = *window_->results().result_table().model();
+    const QAbstractItemModel& model = *window_->results().outputs().table().model();
     const auto cell = [&](const char* name) {
         return model.index(0, column(model, QString::fromLatin1(name))).data().toString();
     };

@@ -19,6 +19,7 @@
 #include "ui/pages/all_results_tab.h"
 #include "ui/pages/compare_tab.h"
 #include "ui/pages/current_results.h"
+#include "ui/pages/outputs_tab.h"
 #include "ui/pages/sortable_table.h"
 #include "ui/pages/stage.h"
 #include "ui/theme/number_locale.h"
@@ -33,7 +34,7 @@ protected:
     void run() {
         open(project_copy());
         select(SetupOwner::analysis, "printed");
-        window_->results().stage().show_view(window_->results().results_tab());
+        window_->results().stage().show_view(&window_->results().outputs());
         trigger(QStringLiteral("Run This Analysis"));
         ASSERT_TRUE(wait_for([this] { return status().is_current(); }));
     }
@@ -46,7 +47,7 @@ protected:
         ASSERT_NE(box, nullptr) << name;
         choose_in(*box, title);
     }
-    const QAbstractItemModel& table() { return *window_->results().result_table().model(); }
+    const QAbstractItemModel& table() { return *window_->results().outputs().table().model(); }
     QString cell_of(const char* head, int row = 0) {
         for (int c = 0; c < table().columnCount(); ++c)
             if (table().headerData(c, Qt::Horizontal, id_role).toString() == QLatin1String(head))
@@ -163,7 +164,7 @@ TEST_F(PreferencesSession, NewAnalysesBeginWithThemAndOthersStay) {
 TEST_F(PreferencesSession, FontAndColoursFollowAndDefaultsComeBack) {
     run();
     const int points = qApp->font().pointSize(),
-              row = window_->results().result_table().verticalHeader()->defaultSectionSize();
+              row = window_->results().outputs().table().verticalHeader()->defaultSectionSize();
     auto* font = dialog()->findChild<QSpinBox*>(QStringLiteral("font_points"));
     ASSERT_NE(font, nullptr);
     auto* family = dialog()->findChild<QComboBox*>(QStringLiteral("font_family"));
@@ -180,7 +181,7 @@ TEST_F(PreferencesSession, FontAndColoursFollowAndDefaultsComeBack) {
     choose_preference("theme", QStringLiteral("Dark"));
     QCoreApplication::processEvents();
     EXPECT_EQ(qApp->font().pointSize(), 18);
-    EXPECT_GT(window_->results().result_table().verticalHeader()->defaultSectionSize(), row);
+    EXPECT_GT(window_->results().outputs().table().verticalHeader()->defaultSectionSize(), row);
     EXPECT_LT(qApp->palette().color(QPalette::Window).lightness(), 100);
     QDir().mkpath(QStringLiteral(COVARIA_BINARY_DIR "/screenshots"));
     settle();
@@ -192,7 +193,7 @@ TEST_F(PreferencesSession, FontAndColoursFollowAndDefaultsComeBack) {
     QCoreApplication::processEvents();
     EXPECT_EQ(window_->preferences().now(), Preferences{});
     EXPECT_EQ(qApp->font().pointSize(), points);
-    EXPECT_EQ(window_->results().result_table().verticalHeader()->defaultSectionSize(), row);
+    EXPECT_EQ(window_->results().outputs().table().verticalHeader()->defaultSectionSize(), row);
     dialog()->grab().save(QStringLiteral(COVARIA_BINARY_DIR "/screenshots/preferences-dialog.png"));
 }
 

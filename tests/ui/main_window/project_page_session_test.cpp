@@ -6,6 +6,7 @@
 
 #include "tests/ui/main_window/session_fixture.h"
 #include "ui/models/roles.h"
+#include "ui/pages/outputs_tab.h"
 #include "ui/pages/sortable_table.h"
 #include "ui/pages/stage.h"
 #include "ui/pages/unit_button.h"
@@ -16,7 +17,7 @@ namespace {
 class ProjectPageSession : public Session {
 protected:
     QString cell_of(const char* head) {
-        const QAbstractItemModel& table = *window_->results().result_table().model();
+        const QAbstractItemModel& table = *window_->results().outputs().table().model();
         for (int c = 0; c < table.columnCount(); ++c)
             if (table.headerData(c, Qt::Horizontal, id_role).toString() == QLatin1String(head))
                 return table.index(0, c).data().toString();
@@ -30,7 +31,7 @@ TEST_F(ProjectPageSession, WhatTheProjectStatesIsObeyedAndUndone) {
     window_->document().apply(QStringLiteral("k from nu"), [](Project& project) {
         for (AnalysisEntry& analysis : project.analyses) analysis.options.coverage_factor.reset();
     });
-    window_->results().stage().show_view(window_->results().results_tab());
+    window_->results().stage().show_view(&window_->results().outputs());
     select(SetupOwner::analysis, "printed");
     trigger(QStringLiteral("Run This Analysis"));
     ASSERT_TRUE(wait_for([this] { return status().is_current(); }));

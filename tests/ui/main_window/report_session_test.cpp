@@ -12,6 +12,7 @@
 #include "core/pdf/pdf_archive.h"
 #include "tests/ui/main_window/session_fixture.h"
 #include "ui/main_window/export_actions.h"
+#include "ui/pages/outputs_tab.h"
 #include "ui/pages/report_preview.h"
 #include "ui/pages/sortable_table.h"
 #include "ui/pages/stage.h"
@@ -149,7 +150,7 @@ TEST_F(ReportSession, APreviewIsNoResult) {
     type_into("trials", QStringLiteral("30000000"));
     ASSERT_TRUE(wait_for([this] { return status().stage == ResultStage::preview; }));
     EXPECT_FALSE(status().is_current());
-    const QString preview = window_->results().result_table().csv();
+    const QString preview = window_->results().outputs().table().csv();
     EXPECT_TRUE(preview.contains(QStringLiteral("Preview"))) << "a table that is saved says what it is";
 
     const QString pdf = folder_.filePath(QStringLiteral("early.pdf"));

@@ -11,6 +11,7 @@
 #include "ui/charts/chart_view.h"
 #include "ui/document/component_source.h"
 #include "ui/models/roles.h"
+#include "ui/pages/outputs_tab.h"
 #include "ui/pages/sortable_table.h"
 #include "ui/pages/stage.h"
 #include "ui/scene_view/scene_view.h"
@@ -20,7 +21,7 @@ namespace {
 
 class ResultsSession : public Session {
 protected:
-    const QAbstractItemModel& table() { return *window_->results().result_table().model(); }
+    const QAbstractItemModel& table() { return *window_->results().outputs().table().model(); }
     int column(const char* head) {
         for (int c = 0; c < table().columnCount(); ++c)
             if (table().headerData(c, Qt::Horizontal, id_role).toString() == QLatin1String(head)) return c;
@@ -151,19 +152,19 @@ TEST_F(ResultsSession, ADotOfTheCloudTellsItsInputs) {
 TEST_F(ResultsSession, AllGroupsAreFilteredBySearchAndByWhatIsNotMet) {
     open(project_copy());
     select(SetupOwner::analysis, "printed");
-    window_->results().stage().show_view(window_->results().results_tab());
+    window_->results().stage().show_view(&window_->results().outputs());
     trigger(QStringLiteral("Run This Analysis"));
     ASSERT_TRUE(wait_for([this] { return status().is_current(); }));
     window_->selection().select_group(QStringLiteral("pose 7"));
     ASSERT_EQ(table().rowCount(), 6);
     EXPECT_EQ(column("Requirement"), -1) << "nothing is required";
-    EXPECT_FALSE(window_->results().only_not_met().isEnabled());
-    QTest::mouseClick(&window_->results().all_groups(), Qt::LeftButton, {},
-                      QPoint(8, window_->results().all_groups().height() / 2));
+    EXPECT_FALSE(window_->results().outputs().only_not_met().isEnabled());
+    QTest::mouseClick(&window_->results().outputs().all_groups(), Qt::LeftButton, {},
+                      QPoint(8, window_->results().outputs().all_groups().height() / 2));
     ASSERT_EQ(table().rowCount(), 78);
-    EXPECT_FALSE(window_->results().result_table().isColumnHidden(column("Group")));
-    window_->results().filter().setFocus();
-    QTest::keyClicks(&window_->results().filter(), QStringLiteral("pose 1 alpha"));
+    EXPECT_FALSE(window_->results().outputs().table().isColumnHidden(column("Group")));
+    window_->results().outputs().filter().setFocus();
+    QTest::keyClicks(&window_->results().outputs().filter(), QStringLiteral("pose 1 alpha"));
     for (int row = 0; row < table().rowCount(); ++row)
         EXPECT_TRUE(words(row, "Group").startsWith(QStringLiteral("pose 1"))) << row;
     ASSERT_EQ(table().rowCount(), 5) << "poses 1, 10, 11, 12, 13";
@@ -177,22 +178,22 @@ TEST_F(ResultsSession, AllGroupsAreFilteredBySearchAndByWhatIsNotMet) {
                 analysis.requirements = {{x.quantity.group, "x", Quantity{half_mm, Unit::of("mm")}},
                                          {x.quantity.group, "y", Quantity{twice_mm * 10, Unit::of("mm")}}};
     });
-    window_->results().filter().clear();
+    window_->results().outputs().filter().clear();
     ASSERT_EQ(table().rowCount(), 78);
     ASSERT_GE(column("Requirement"), 0) << "verdicts follow the requirements without a run";
     EXPECT_EQ(words(0, "Requirement"), QStringLiteral("not met"));
     EXPECT_EQ(words(0, "U / target"), QStringLiteral("2.00"));
     EXPECT_EQ(words(1, "Requirement"), QStringLiteral("met"));
     EXPECT_EQ(words(2, "Requirement"), QString());
-    QTest::mouseClick(&window_->results().only_not_met(), Qt::LeftButton, {},
-                      QPoint(8, window_->results().only_not_met().height() / 2));
+    QTest::mouseClick(&window_->results().outputs().only_not_met(), Qt::LeftButton, {},
+                      QPoint(8, window_->results().outputs().only_not_met().height() / 2));
     ASSERT_EQ(table().rowCount(), 1);
     EXPECT_EQ(words(0, "Requirement"), QStringLiteral("not met"));
     QDir().mkpath(QStringLiteral(COVARIA_BINARY_DIR "/screenshots"));
     window_->grab().save(QStringLiteral(COVARIA_BINARY_DIR "/screenshots/results-not-met.png"));
     window_->document().undo_stack().undo();
     EXPECT_EQ(table().rowCount(), 0) << "nothing is required any more";
-    EXPECT_TRUE(window_->results().only_not_met().isEnabled()) << "so that it can be taken back";
+    EXPECT_TRUE(window_->results().outputs().only_not_met().isEnabled()) << "so that it can be taken back";
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include "tests/ui/main_window/session_fixture.h"
 #include "ui/main_window/export_actions.h"
+#include "ui/pages/outputs_tab.h"
 #include "ui/pages/sortable_table.h"
 
 namespace covaria::ui::session_test {
@@ -42,7 +43,7 @@ TEST_F(Session, SelectingAnOutputSelectsItInTableAndCharts) {
     open(project_copy());
     wait_until_idle();
     window_->selection().select_output(4);
-    EXPECT_EQ(window_->results().result_table().current_row(), 4);
+    EXPECT_EQ(window_->results().outputs().table().current_row(), 4);
     window_->selection().select_group(QStringLiteral("pose 7"));
     EXPECT_EQ(window_->scene().group(), QStringLiteral("pose 7"));
 }

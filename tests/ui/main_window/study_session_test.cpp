@@ -3,6 +3,7 @@
 #include "tests/ui/main_window/session_fixture.h"
 #include "ui/charts/chart_view.h"
 #include "ui/forms/target_box.h"
+#include "ui/pages/outputs_tab.h"
 #include "ui/pages/stage.h"
 #include "ui/pages/study_tab.h"
 
@@ -76,7 +77,7 @@ TEST_F(StudySession, TheSceneShowsTheMapWhileTheTabIsOnTop) {
     EXPECT_EQ(tab().chart().plot().series[0].kind, SeriesKind::heat_map);
     scene_picture();
     window_->grab().save(QStringLiteral(COVARIA_BINARY_DIR "/screenshots/study-map.png"));
-    window_->results().stage().show_view(window_->results().results_tab());
+    window_->results().stage().show_view(&window_->results().outputs());
     EXPECT_TRUE(wait_for([this] {
         const auto scene = window_->scene().view().scene();
         return scene && !scene->map;

@@ -1,0 +1,57 @@
+#include "ui/document/requirement_edits.h"
+
+#include <algorithm>
+
+#include "core/text/symbol.h"
+#include "ui/document/setup_address.h"
+#include "ui/theme/strings.h"
+
+namespace covaria::ui {
+namespace {
+
+bool asks_for_nothing(const Requirement& r) {
+    Requirement bare;
+    bare.symbol = r.symbol;
+    bare.group = r.group;
+    return r == bare;
+}
+
+}  // namespace
+
+bool is_about(const Requirement& requirement, const OutputQuantity& output) {
+    return requirement.symbol == output.symbol && requirement.group == output.group;
+}
+
+const Requirement* find_requirement(const AnalysisEntry& analysis, const OutputQuantity& output) {
+    const auto found = std::ranges::find_if(analysis.requirements,
+                                            [&](const Requirement& r) { return is_about(r, output); });
+    return found == analysis.requirements.end() ? nullptr : &*found;
+}
+
+void change_requirements(Document& document, const std::string& analysis,
+                         const std::vector<OutputQuantity>& outputs,
+                         const std::function<void(Requirement&)>& edit, const QString& key) {
+    if (outputs.empty()) return;
+    const QString words =
+        outputs.size() == 1
+            ? Document::tr("Change the requirement for %1").arg(to_qt(symbol_to_unicode(outputs[0].symbol)))
+            : Document::tr("Change the requirements for %1 results").arg(outputs.size());
+    document.apply(
+        words,
+        [&](Project& project) {
+            AnalysisEntry* entry = find_analysis_entry(project, analysis);
+            if (!entry) return;
+            auto& all = entry->requirements;
+            for (const OutputQuantity& output : outputs) {
+                auto found =
+                    std::ranges::find_if(all, [&](const Requirement& r) { return is_about(r, output); });
+                if (found == all.end())
+                    found = all.insert(all.end(), Requirement{output.group, output.symbol});
+                edit(*found);
+                if (asks_for_nothing(*found)) all.erase(found);
+            }
+        },
+        key);
+}
+
+}  // namespace covaria::ui

@@ -1,0 +1,56 @@
+#include "ui/forms/budget_foot.h"
+
+#include <QHeaderView>
+#include <QPainter>
+#include <QScrollBar>
+
+#include "ui/theme/quiet_table.h"
+#include "ui/theme/theme.h"
+#include "ui/theme/typeset_views.h"
+
+namespace covaria::ui {
+
+BudgetFoot::BudgetFoot(QAbstractItemModel& result, const QTableView& sheet, QWidget* parent)
+    : QTableView(parent), sheet_(sheet) {
+    setModel(&result);
+    setItemDelegate(new TypesetDelegate(this));
+    setFocusPolicy(Qt::NoFocus);
+    setSelectionMode(NoSelection);
+    setEditTriggers(NoEditTriggers);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setHorizontalScrollMode(ScrollPerPixel);
+    horizontalHeader()->hide();
+    horizontalHeader()->setMinimumSectionSize(0);
+    verticalHeader()->hide();
+    make_quiet(*this, RowRoom::stage);
+    for (const QHeaderView* header : {sheet.horizontalHeader(), sheet.verticalHeader()}) {
+        connect(header, &QHeaderView::sectionResized, this, &BudgetFoot::align);
+        connect(header, &QHeaderView::geometriesChanged, this, &BudgetFoot::align);
+    }
+    connect(sheet.horizontalScrollBar(), &QScrollBar::valueChanged, horizontalScrollBar(),
+            &QScrollBar::setValue);
+    connect(sheet.horizontalScrollBar(), &QScrollBar::rangeChanged, this, &BudgetFoot::align);
+    connect(&result, &QAbstractItemModel::modelReset, this, &BudgetFoot::align);
+    align();
+}
+
+/// The numbers of the sheet's rows take room at its left, and a scroll bar at its right.
+void BudgetFoot::align() {
+    setVisible(model()->rowCount() > 0);
+    for (int column = 0; column < model()->columnCount(); ++column) {
+        setColumnHidden(column, sheet_.isColumnHidden(column));
+        if (!sheet_.isColumnHidden(column)) setColumnWidth(column, sheet_.columnWidth(column));
+    }
+    const int right = sheet_.verticalScrollBar()->isVisible() ? sheet_.verticalScrollBar()->width() : 0;
+    setViewportMargins(sheet_.verticalHeader()->width() + sheet_.frameWidth(), 0, right, 0);
+    setFixedHeight(verticalHeader()->defaultSectionSize() + 2);
+    horizontalScrollBar()->setValue(sheet_.horizontalScrollBar()->value());
+}
+
+void BudgetFoot::paintEvent(QPaintEvent* event) {
+    QTableView::paintEvent(event);
+    QPainter(viewport()).fillRect(0, 0, viewport()->width(), 1, tokens_of(palette()).ink3);
+}
+
+}  // namespace covaria::ui

@@ -1,0 +1,95 @@
+#include "ui/forms/requirement_dialog.h"
+
+#include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "core/text/symbol.h"
+#include "ui/document/requirement_edits.h"
+#include "ui/forms/form_labels.h"
+#include "ui/forms/quantity_edit.h"
+#include "ui/theme/core_text.h"
+#include "ui/theme/strings.h"
+
+namespace covaria::ui {
+namespace {
+
+constexpr std::size_t most_named = 8;
+
+/// "x, y, z (pose 7) ...": of which results.
+QString names_of(const std::vector<OutputQuantity>& outputs) {
+    QStringList names;
+    for (std::size_t i = 0; i < outputs.size() && i < most_named; ++i) {
+        QString name = to_qt(symbol_to_unicode(outputs[i].symbol));
+        if (!outputs[i].group.empty())
+            name += QStringLiteral(" (%1)").arg(to_qt(said_name(outputs[i].group)));
+        names << name;
+    }
+    if (outputs.size() > most_named) names << QStringLiteral("… (%1)").arg(outputs.size());
+    return names.join(QStringLiteral(", "));
+}
+
+}  // namespace
+
+RequirementDialog::RequirementDialog(const std::vector<OutputQuantity>& outputs, const Requirement* now,
+                                     const DisplayUnits& units, QWidget* parent)
+    : QDialog(parent) {
+    setWindowTitle(tr("Require of Results"));
+    auto* words = new QLabel(names_of(outputs));
+    words->setWordWrap(true);
+    auto* form = new QFormLayout;
+    const Unit unit = outputs.empty() ? Unit() : units.of(outputs.front().unit);
+    rows_.reserve(requirement_fields().size());  // connections below keep addresses of rows
+    constexpr std::array<std::string_view, 3> wanted{"targetUncertainty", "lowerLimit", "upperLimit"};
+    for (const RequirementField& field : requirement_fields()) {
+        if (std::ranges::count(wanted, field.key) == 0) continue;
+        auto* edit = new QuantityEdit;
+        edit->setObjectName(QLatin1String(field.key));
+        const QString title = core_text(field.title);
+        edit->setAccessibleName(title);
+        edit->set_help(core_text(field.help));
+        edit->set_unit(field.is_interval ? unit.interval() : unit);
+        edit->set_quantity(value_of(now ? *now : Requirement{}, field));
+        keep_letters(*edit);
+        form->addRow(title, edit);
+        rows_.push_back({field, edit});
+        connect(edit, &QuantityEdit::quantity_edited, this, [row = &rows_.back()] { row->is_typed = true; });
+    }
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
+    auto* column = new QVBoxLayout(this);
+    column->addWidget(words);
+    column->addLayout(form);
+    column->addWidget(buttons);
+    connect(buttons, &QDialogButtonBox::accepted, this, [this] {
+        for (const Row& row : rows_)
+            if (!row.edit->is_valid()) return row.edit->setFocus();
+        accept();
+    });
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+}
+
+void RequirementDialog::apply_to(Requirement& requirement) const {
+    for (const Row& row : rows_)
+        if (row.is_typed) set_value(requirement, row.field, row.edit->quantity());
+}
+
+void ask_what_is_required(Document& document, const std::string& analysis,
+                          std::vector<OutputQuantity> outputs, const DisplayUnits& units, QWidget* parent) {
+    if (outputs.empty()) return;
+    const auto dimension = outputs.front().unit.dimension();
+    std::erase_if(outputs, [&](const OutputQuantity& o) { return o.unit.dimension() != dimension; });
+    const AnalysisEntry* entry = document.project().find_analysis(analysis);
+    if (!entry) return;
+    const Requirement* now = find_requirement(*entry, outputs.front());
+    RequirementDialog dialog(outputs, now, units, parent);
+    if (dialog.exec() != QDialog::Accepted) return;
+    change_requirements(document, analysis, outputs,
+                        [&dialog](Requirement& requirement) { dialog.apply_to(requirement); });
+}
+
+}  // namespace covaria::ui

@@ -1,0 +1,41 @@
+// Requires the same of several results: a target uncertainty, the limits of a tolerance.
+#pragma once
+
+#include <QDialog>
+#include <vector>
+
+#include "core/project/requirement_fields.h"
+#include "core/result/uncertainty_result.h"
+#include "core/text/display_units.h"
+#include "ui/document/document.h"
+
+namespace covaria::ui {
+
+class QuantityEdit;
+
+/// The results are of one dimension. A field that is left as it is changes no requirement.
+class RequirementDialog : public QDialog {
+    Q_OBJECT
+public:
+    /// `now`: what is required of the first result; null: nothing.
+    RequirementDialog(const std::vector<OutputQuantity>& outputs, const Requirement* now,
+                      const DisplayUnits& units, QWidget* parent = nullptr);
+
+    /// Gives a requirement the figures that were typed.
+    void apply_to(Requirement& requirement) const;
+
+private:
+    struct Row {
+        const RequirementField& field;
+        QuantityEdit* edit;
+        bool is_typed = false;
+    };
+    std::vector<Row> rows_;
+};
+
+/// Asks what is required of these results, and writes it into the analysis as one step. Outputs of another
+/// dimension than the first have another unit: they are left out.
+void ask_what_is_required(Document& document, const std::string& analysis,
+                          std::vector<OutputQuantity> outputs, const DisplayUnits& units, QWidget* parent);
+
+}  // namespace covaria::ui
