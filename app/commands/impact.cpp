@@ -1,4 +1,5 @@
-// covaria impact --replace OLD NEW FOLDER...: which results change when the figures of a certificate do.
+// The command covaria impact --replace OLD NEW FOLDER..., which tells the results that change when the
+// figures of a certificate do.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
@@ -22,8 +23,8 @@ namespace covaria {
 namespace {
 
 struct ImpactArguments {
-    std::vector<std::string> replaced;  ///< OLD and NEW
-    std::string used;                   ///< OLD alone
+    std::vector<std::string> replaced;  ///< the arguments OLD and NEW
+    std::string used;                   ///< the argument OLD alone
     std::vector<std::string> folders;
     std::string csv, output, amend;
     RunRequest method;
@@ -43,7 +44,8 @@ Result<void> check_arguments(const ImpactArguments& arguments) {
     return {};
 }
 
-/// A file stands for its digest, so that a certificate is found by itself.
+/// The name that old figures are called by; a file stands for its digest, so that a certificate is found by
+/// itself.
 std::string called(const std::string& old) {
     std::error_code failure;
     if (!std::filesystem::is_regular_file(old, failure)) return old;
@@ -118,7 +120,7 @@ Result<void> write_files(const ImpactArguments& arguments, const Impact& impact)
                                                                   : write_impact_document(arguments, impact);
 }
 
-/// Whether everything could be evaluated.
+/// Shows the impact; returns whether everything could be evaluated.
 Result<bool> show_impact(const ImpactArguments& arguments, const std::stop_token& stop) {
     if (auto right = check_arguments(arguments); !right) return fail(right.error());
     ImpactQuestion question;

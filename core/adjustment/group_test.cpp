@@ -10,7 +10,7 @@ GroupTest test_of_group(const Adjustment& adjustment, const SparseRows& whitenin
     constexpr double least_controlled = 1e-6;
     const auto k = static_cast<Eigen::Index>(readings.size());
     const Eigen::VectorXd weighted = whitening * residuals;
-    // With E what selects the readings, at a size of one each: S = Eᵀ C⁻¹ Q_vv C⁻¹ E and t = Eᵀ C⁻¹ v.
+    // The matrix E selects the readings, at a size of one each: S = Eᵀ C⁻¹ Q_vv C⁻¹ E and t = Eᵀ C⁻¹ v.
     Eigen::MatrixXd S(k, k);
     Eigen::VectorXd t(k);
     std::vector<Eigen::VectorXd> columns, by_unknowns;

@@ -34,14 +34,14 @@ bool is_project_or_pdf(const fs::path& file) {
     return ending == ".covaria" || ending == ".pdf" || ending == ".PDF";
 }
 
-/// What one file says.
+/// The answer of one file.
 struct FileImpact {
     bool is_ours = false, is_using = false;
     std::vector<ImpactRow> rows = {};
-    std::vector<Message> causes = {};  ///< why it, or an analysis of it, has no rows
+    std::vector<Message> causes = {};  ///< why the file, or an analysis of it, has no rows
 };
 
-/// The project of a file; nothing where a PDF is none of ours.
+/// The project of a file; nothing where a PDF carries no project.
 Result<std::optional<LoadedProject>> project_in(const fs::path& file) {
     if (file.extension() == ".covaria") return load_project(file);
     const auto bytes = read_file(file);
@@ -73,7 +73,7 @@ std::vector<std::string> reached(const MadeProject& made, const std::vector<Cert
     return ids;
 }
 
-/// Of each output: of all its requirements.
+/// The verdict on each output by all of its requirements.
 std::vector<RequirementsVerdict> verdicts_of(const UncertaintyResult& result, const AnalysisEntry& entry) {
     std::vector<RequirementsVerdict> verdicts(result.outputs.size(), RequirementsVerdict::none);
     for (const RequirementResult& one : judge(result, entry)) {
@@ -105,7 +105,7 @@ private:
 
     void of_project(const LoadedProject& loaded) {
         impact_.is_ours = true;
-        // Of a text that is no project nobody knows what it used.
+        // Nobody knows which figures a text that is no project used.
         if (!loaded.made) return say(first_error(loaded.problems, tell<"it is no project">()));
         const Project& project = loaded.made->project();
         const auto holders = holders_of(project, question_.old_figures);
@@ -181,13 +181,14 @@ private:
     FileImpact impact_;
 };
 
-/// What is no number (a result that is no longer there) comes before all others.
+/// The larger change of a row, as a part of U; infinite where it is not a number (the result is no longer
+/// there), so that such a row comes before all others.
 double size_of(const ImpactRow& row) {
     const double value = std::abs(row.change_in_U()), spread = std::abs(row.change_of_U());
     return std::isnan(value) || std::isnan(spread) ? infinity : std::max(value, spread);
 }
 
-/// Files one after the other, on several threads; what one says is kept at its place.
+/// A run over files, several at a time on threads; the answer of each file is kept at its place.
 class FileRun {
 public:
     FileRun(const ImpactQuestion& question, const RunControl& control)
@@ -256,7 +257,7 @@ Result<std::vector<fs::path>> files_below(const std::vector<std::string>& folder
             files.insert(folder);
             continue;
         }
-        // What may not be read is passed over, as the files of others are.
+        // Folders that may not be read are passed over, as the files of others are.
         auto at =
             fs::recursive_directory_iterator(folder, fs::directory_options::skip_permission_denied, failure);
         for (; !failure && at != fs::recursive_directory_iterator(); at.increment(failure))

@@ -1,5 +1,5 @@
-// What changes when the figures of a certificate do: every report and project that used it, evaluated with
-// the old figures and with the new ones.
+// The impact of a certificate whose figures change: every report and project that used it, evaluated with the
+// old figures and with the new ones.
 #pragma once
 
 #include <filesystem>
@@ -26,50 +26,53 @@ struct ImpactLine {
 
 /// A measurand of an analysis that the certificate reaches.
 struct ImpactRow {
-    std::string file, project, number;    ///< title and number of the project, or number of its certificate
+    /// `project` and `number`: title and number of the project, or number of its certificate.
+    std::string file, project, number;
     std::string analysis, analysis_name;  ///< id and name
     OutputQuantity quantity;
     ImpactLine before, after;
 
     double change() const { return after.estimate - before.estimate; }
-    /// In units of u and of U before; infinite where those are 0 and there is a change.
+    /// The change in units of u and of U before; infinite where those are 0 and there is a change.
     double change_in_u() const;
     double change_in_U() const;
-    /// Of U, as a part of U before.
+    /// The change of U, as a part of U before.
     double change_of_U() const;
     bool verdict_changes() const { return before.verdict != after.verdict; }
-    /// What was stated is no longer what would be stated.
+    /// Whether the result would now be stated otherwise than it was, or its verdict is another.
     bool is_to_amend() const { return before.stated != after.stated || verdict_changes(); }
 };
 
-/// A file that cannot be evaluated, or a part of one.
+/// A file that cannot be evaluated, or that has an analysis which cannot be.
 struct ImpactFailure {
     std::string file;
     Message cause;
 };
 
 struct Impact {
-    std::vector<ImpactRow> rows;          ///< by falling change: other verdicts first
-    std::vector<ImpactFailure> failures;  ///< in the order of files
+    std::vector<ImpactRow> rows;          ///< rows by falling change, those with another verdict first
+    std::vector<ImpactFailure> failures;  ///< failures in the order of files
     std::vector<std::string> using_it;    ///< files that have figures of the certificate
-    std::size_t looked_at = 0;            ///< projects and reports that carry one
+    std::size_t looked_at = 0;            ///< number of projects, and of reports that carry one
     /// Files with a row to amend, each once.
     std::vector<std::string> to_amend() const;
 };
 
-/// Projects and PDF files below the folders, files among them themselves; sorted, each once. Error: one of
-/// them does not exist.
+/// Projects and PDF files below the folders, and those of the arguments that are files themselves; sorted,
+/// each once. Error: one of them does not exist.
 Result<std::vector<std::filesystem::path>> files_below(const std::vector<std::string>& folders);
 
 struct ImpactQuestion {
-    std::string old_figures;                 ///< as `holders_of` takes it
-    std::optional<NewFigures> figures = {};  ///< without: who used it, and nothing is evaluated
+    std::string old_figures;  ///< number, digest or asset, as `holders_of` takes it
+    /// Without them the files that used the certificate are found, and nothing is evaluated.
+    std::optional<NewFigures> figures = {};
     std::vector<std::filesystem::path> files = {};
-    /// The project as it is to be evaluated (fewer trials); empty: by its own options.
+    /// Makes of a project the one that is evaluated (one of fewer trials); where it is empty, the project's
+    /// own options hold.
     std::function<MadeProject::Pointer(const MadeProject::Pointer&)> asked = {};
 };
-/// Several files at a time, `control.threads` of them; the same answer for any number. PDF files that carry
-/// no project are passed over. Error: cancelled.
+/// The impact on files, several at a time on `control.threads` threads; the answer is the same for any
+/// number. PDF files that carry no project are passed over. Error: cancelled.
 Result<Impact> impact_of(const ImpactQuestion& question, const RunControl& control = {});
 
 }  // namespace covaria

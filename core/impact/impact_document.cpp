@@ -23,7 +23,7 @@ const char* word_of(RequirementsVerdict verdict) {
     return "none";
 }
 
-/// Columns over rows; print and files choose of them by their keys.
+/// The columns of a table of rows; print and files choose among them by their keys.
 class ImpactColumns {
 public:
     explicit ImpactColumns(const std::vector<ImpactRow>& rows) : rows_(rows) { table_.rows = rows.size(); }
@@ -104,7 +104,7 @@ bool is_changed(const ImpactRow& row) {
     return row.is_to_amend() || row.change() != 0.0 || row.change_of_U() != 0.0;
 }
 
-/// Of print: what is read beside each other on a page.
+/// The columns that stand beside each other on a printed page.
 Table printed_table(const std::vector<ImpactRow>& rows, const DocumentLanguage& in) {
     const Table all = ImpactColumns(rows).make();
     Table table{"impact-results", in.say(tell<"Results that change, the largest change first">())};

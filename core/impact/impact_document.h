@@ -11,20 +11,22 @@
 
 namespace covaria {
 
-/// What was asked, in words: what is replaced, by what, where was looked.
+/// The question in words: the figures that are replaced, the figures that replace them, the places that were
+/// searched.
 struct ImpactWords {
     std::string old_figures, new_figures;
     std::vector<std::string> folders;
 };
 
-/// A row for each measurand that the certificate reaches. It reads the impact, which must live.
+/// The table of an impact, with a row for each measurand that the certificate reaches. It reads the impact,
+/// which must outlive it.
 Table impact_table(const Impact& impact);
 
-/// How many files, results, changes and verdicts, in sentences.
+/// Sentences that count the files, results, changes and verdicts.
 std::vector<Message> impact_sentences(const Impact& impact);
 
-/// Facts, sentences, the table without results that do not change, the documents to amend, what could not be
-/// evaluated.
+/// The document of an impact: facts, sentences, the table without results that do not change, the documents
+/// to amend, and the files that could not be evaluated.
 ReportDocument build_impact(const ImpactWords& words, const Impact& impact, const DocumentLanguage& in = {});
 
 }  // namespace covaria

@@ -34,7 +34,7 @@ const std::string& shown(const std::string& name, const std::string& id) {
     return name.empty() ? id : name;
 }
 
-/// The one that can stand for the entry.
+/// The one of the others that can stand for the entry.
 template <class Entry>
 Result<const Entry*> counterpart(const Entry& entry, const std::vector<Entry>& others,
                                  const NewFigures& figures) {
@@ -56,7 +56,7 @@ Result<const Entry*> counterpart(const Entry& entry, const std::vector<Entry>& o
     return fitting.front();
 }
 
-/// The new certificates in the place of the one that is replaced.
+/// Puts the new certificates in the place of the one that is replaced.
 void replace_certificate(std::vector<AssetCertificate>& certificates, std::size_t place,
                          std::vector<AssetCertificate> others) {
     if (place != CertificateHolder::npos) {
@@ -74,14 +74,14 @@ const std::string* symbol_in(const std::vector<SetupCell>& row, std::size_t colu
     return column < row.size() ? std::get_if<std::string>(&row[column]) : nullptr;
 }
 
-/// Rows of a table that state quantities: those of these symbols are taken from the other table.
+/// Rows of a table that state quantities; the rows of these symbols are taken from the other table.
 class StatedRows {
 public:
     StatedRows(const FieldSpec& field, const std::vector<std::string>& symbols)
         : column_(SetupSchema::column(field, "symbol")), symbols_(symbols) {}
 
-    /// Where both are in the same units a row is taken as it is; another unit of a column would change the
-    /// rows that stay.
+    /// The table with the other's rows. Both must be in the same units: another unit of a column would change
+    /// the rows that stay.
     Result<SetupTable> replaced(const SetupTable& old, const SetupTable& with) const {
         if (old.units != with.units)
             return fail(ErrorCode::bad_input, tell<"the tables of quantities have other units">());
@@ -149,7 +149,7 @@ Result<void> replace_figures(AnalysisEntry& analysis, std::size_t certificate, c
     return {};
 }
 
-/// Errors of what is made of a file are said when its figures are used.
+/// The figures of a file. Errors of the project that it makes are said when its figures are used.
 Result<NewFigures> figures_of(LoadedProject loaded, const std::string& file) {
     if (!loaded.made)
         return fail(ErrorCode::bad_input,
@@ -205,7 +205,7 @@ Result<NewFigures> new_figures(const std::string& file_and_id) {
 
 Result<Project> with_new_figures(Project project, const std::vector<CertificateHolder>& holders,
                                  const NewFigures& figures) {
-    // From the last certificate of an entry to its first, so that places stay.
+    // The certificates of an entry are replaced from the last to the first, so that their places stay.
     for (auto holder = holders.rbegin(); holder != holders.rend(); ++holder) {
         const auto done =
             holder->is_asset ? replace_figures(project.assets[holder->entry], holder->certificate, figures)

@@ -10,25 +10,26 @@
 
 namespace covaria {
 
-/// What has figures from the certificate in a project.
+/// An asset or an analysis of a project that has figures from the certificate.
 struct CertificateHolder {
     bool is_asset = true;
     std::size_t entry = 0;  ///< index among the assets, or among the analyses
     std::size_t certificate = npos;
-    static constexpr std::size_t npos = static_cast<std::size_t>(-1);  ///< an asset of that id or name
+    /// The certificate of an asset that was called by its id or name.
+    static constexpr std::size_t npos = static_cast<std::size_t>(-1);
 };
-/// `called`: number or digest of a certificate, in any case of letters; where no certificate has it, id or
-/// name of an asset.
+/// Holders of figures of the certificate that is `called` by its number or digest, in any case of letters;
+/// where no certificate has it, the asset of that id or name.
 std::vector<CertificateHolder> holders_of(const Project& project, const std::string& called);
 
 /// Entries that bring figures.
 struct NewFigures {
-    std::string source = {};  ///< the file, in messages
+    std::string source = {};  ///< the file as messages name it
     std::vector<AssetEntry> assets = {};
     std::vector<AnalysisEntry> analyses = {};
 };
-/// Of a project, a report (PDF) or a file that a reader knows (a Digital Calibration Certificate ...); with
-/// "#ID" behind its name of that asset or analysis alone.
+/// Figures of a project, a report (PDF) or a file that a reader knows (a Digital Calibration Certificate
+/// ...); with "#ID" behind the file's name, the figures of that asset or analysis alone.
 Result<NewFigures> new_figures(const std::string& file_and_id);
 
 /// The project with the figures of the new entries in the place of those of the holders: the set-up of an

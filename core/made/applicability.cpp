@@ -15,7 +15,8 @@ namespace covaria {
 
 namespace {
 
-/// What one analysis of a project uses by itself: the assets that it refers to, directly or through others.
+/// The assets that one analysis of a project uses by itself: those that it refers to, directly or through
+/// others.
 std::set<std::size_t> assets_of(const EntryGraph& graph, std::size_t number) {
     std::set<std::size_t> assets;
     std::vector<std::size_t> open{number};
@@ -30,16 +31,16 @@ std::set<std::size_t> assets_of(const EntryGraph& graph, std::size_t number) {
     return assets;
 }
 
-/// What brings no figures into a result.
+/// Whether an asset brings figures into a result; context does not.
 bool has_figures(const AssetEntry& asset, const AssetLibrary& assets) {
     const AssetLibrary::Entry* entry = assets.find(asset.id);
     return !entry || !entry->descriptor || entry->descriptor->category != AssetCategory::context;
 }
 
-/// A number of something that a range is stated for.
+/// A value that a range may be stated for.
 struct UsedValue {
     double si = 0.0;
-    Unit unit = {};  ///< of its dimension
+    Unit unit = {};  ///< unit of the value
 };
 
 void add_typed(const SetupSchema& schema, const Setup& setup, const std::string& of,
@@ -187,7 +188,7 @@ ApplicabilityVerdict applicable_at(const AssetCertificate& certificate, std::str
     if (!until && (certificate.kind == FiguresFrom::certificate || !certificate.valid_until.empty()))
         verdict.find(Applicability::unknown, tell<"until when it is valid is not stated">());
     if (!at) {
-        // What holds until it is replaced is asked for no date.
+        // A figure that holds until it is replaced needs no date of the measurement.
         if (until || calibrated || issued || certificate.kind == FiguresFrom::certificate)
             verdict.find(Applicability::unknown, tell<"the date of the measurement is not stated">());
         return verdict;

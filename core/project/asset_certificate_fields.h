@@ -12,18 +12,18 @@ namespace covaria {
 struct AssetCertificateText {
     enum class Kind { line, date, dates };
     const char* key;
-    const char* title;  ///< for people
+    const char* title;  ///< the title for people
     const char* help;
     std::string AssetCertificate::*member;
     Kind kind = Kind::line;
 };
-/// In the order of files and forms.
+/// The texts of a certificate in the order of files and forms.
 const std::vector<AssetCertificateText>& asset_certificate_texts();
 
 struct FiguresFromWord {
     FiguresFrom value;
-    const char* key;    ///< in files: "dataSheet"
-    const char* title;  ///< "data sheet"
+    const char* key;    ///< the key in files: "dataSheet"
+    const char* title;  ///< the title for people: "data sheet"
 };
 const std::vector<FiguresFromWord>& figures_from_words();
 

@@ -121,14 +121,14 @@ std::string keys_of_sites() {
     return keys;
 }
 
-/// Of a text of that kind.
+/// The period that a text of that kind states; empty where it states none.
 std::optional<Period> period_in(const std::string& text, CertificateText kind) {
     if (kind == CertificateText::dates) return period_of(text);
     const auto day = date_of(text);
     return day ? std::optional(Period{*day, *day}) : std::nullopt;
 }
 
-/// Of a date that is given and is one.
+/// The period that a member of the certificate states; empty where none is given, or the text is none.
 std::optional<Period> period_in(const Certificate& certificate, std::string Certificate::*member) {
     return period_in(certificate.*member, certificate_field(member).kind);
 }

@@ -8,7 +8,7 @@
 namespace covaria {
 
 Certificate certificate_from_json(const Json& value, const std::string& path, Problems& problems);
-/// An object on its own lines; the certificate is not empty.
+/// Writes a certificate that is not empty as an object on its own lines.
 void write_certificate(JsonWriter& out, const Certificate& certificate);
 
 }  // namespace covaria

@@ -9,7 +9,7 @@ namespace covaria {
 
 namespace {
 
-/// Without the tail that a conversion leaves: 0.5 um are 0.0005 mm.
+/// The value without the tail of digits that a conversion leaves: 0.5 um are 0.0005 mm.
 double rounded_to_15_digits(double value) {
     if (!std::isfinite(value)) return value;
     std::array<char, 64> text{};
@@ -19,8 +19,9 @@ double rounded_to_15_digits(double value) {
     return value;
 }
 
-/// Parameters without a unit stay: degrees of freedom, those of a lognormal distribution (of the number in
-/// SI), and the probabilities of those with lists, which have the values or edges first.
+/// The parameters converted. Those without a unit stay: degrees of freedom, those of a lognormal distribution
+/// (of the number in SI), and the probabilities of distributions with lists, which have the values or edges
+/// first.
 template <class Convert>
 std::vector<double> converted_parameters(const ComponentEdit& edit, Convert convert) {
     std::vector<double> parameters = edit.parameters;

@@ -10,12 +10,12 @@
 
 namespace covaria {
 
-/// Errors: those of `distribution_from`.
+/// The distribution that the edit states. Errors: those of `distribution_from`.
 Result<Distribution> distribution_of(const ComponentEdit& edit);
-/// What Monte Carlo draws for it, as for a component with its degrees of freedom (core/quantity). Errors
-/// likewise.
+/// The distribution that Monte Carlo draws for the edit, as for a component with its degrees of freedom
+/// (core/quantity). Errors: those of `distribution_from`.
 Result<Distribution> drawn_distribution(const ComponentEdit& edit, bool normal_draws);
-/// Degrees of freedom of its standard uncertainty: those stated, else those of its distribution.
+/// Degrees of freedom of the edit's standard uncertainty: those stated, else those of its distribution.
 double degrees_of_freedom_of(const ComponentEdit& edit, const Distribution& distribution);
 /// Puts kind and parameters of `distribution` (SI) into the edit, in its unit.
 void set_distribution(ComponentEdit& edit, const Distribution& distribution);

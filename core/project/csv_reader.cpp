@@ -62,7 +62,7 @@ private:
         }
     }
 
-    // Ends at a separator, a line feed or the end of the text.
+    // A cell ends at a separator, a line feed or the end of the text.
     Result<std::string> read_cell() {
         const std::size_t begin = text_.find_first_not_of(separator_ == '\t' ? " " : " \t", at_);
         if (begin != std::string_view::npos && text_[begin] == '"') {

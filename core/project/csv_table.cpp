@@ -33,7 +33,7 @@ std::string choice_key(const ColumnSpec& column, const std::string& text) {
 
 class RowsReader {
 public:
-    /// `decimal_comma`: numbers may have one, because another character separates the cells.
+    /// `decimal_comma` says that numbers may have one, because another character separates the cells.
     RowsReader(bool decimal_comma, const FieldSpec& field, std::vector<std::size_t> target, CsvTable& out)
         : decimal_comma_(decimal_comma), field_(field), target_(std::move(target)), out_(out) {}
 
@@ -81,7 +81,7 @@ private:
         return tell<"%1; in this file write %2">(words, right);
     }
 
-    // A file of wrong cells must not become a memory of messages: the last one counts the rest.
+    // The last message counts the rest, so that a file of wrong cells does not become a memory of messages.
     void report(int line, Message message) {
         if (++reported_ < most_of_a_kind)
             out_.problems.add(problem_at(line, std::move(message)));
@@ -98,7 +98,8 @@ private:
     std::size_t reported_ = 0;
 };
 
-/// Headers with those of `renamed` replaced and those that are not read left out; `read` says which remain.
+/// The headers, with those of `renamed` replaced and those that are not read left out; `read` says which ones
+/// remain.
 std::vector<std::string> renamed_headers(const std::vector<std::string>& headers, const CsvColumns& renamed,
                                          std::vector<std::size_t>& read, Problems& problems) {
     for (const auto& [header, column] : renamed)
@@ -127,14 +128,14 @@ std::vector<std::string> headers_in(const CsvRow& row) {
     return headers;
 }
 
-/// Takes the head, then row by row.
+/// The reader of a table, which takes the head, then row by row.
 class TableReader {
 public:
-    /// `expected`: rows, for which room is made.
+    /// `expected` is the number of rows that room is made for.
     TableReader(const FieldSpec& field, const CsvColumns& renamed, std::size_t expected)
         : field_(field), renamed_(renamed), expected_(expected) {}
 
-    /// False: the head cannot be read.
+    /// Takes a row; false where the head cannot be read.
     bool take(const CsvRow& row, bool decimal_comma) {
         if (!head_read_)
             read_head(row, decimal_comma);
@@ -152,7 +153,7 @@ private:
     void read_head(const CsvRow& row, bool decimal_comma) {
         head_read_ = true;
         Problems found;
-        std::vector<std::size_t> read;  // columns of the file
+        std::vector<std::size_t> read;  // indices of the columns of the file
         const std::vector<std::string> all = headers_in(row);
         const auto columns = match_columns(field_, renamed_headers(all, renamed_, read, found), found);
         for (std::size_t i = 0; columns && i < field_.columns.size(); ++i)  // the head is in the file
@@ -175,7 +176,7 @@ private:
     std::size_t expected_;
     CsvTable out_;
     bool head_read_ = false;
-    std::optional<RowsReader> rows_;  // after a head that could be read
+    std::optional<RowsReader> rows_;  // there once a head could be read
 };
 
 }  // namespace

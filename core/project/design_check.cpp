@@ -20,7 +20,7 @@ namespace covaria {
 
 namespace {
 
-/// Where the table of a choice is; its key is empty after an error.
+/// The place of the table of a choice; its key is empty after an error.
 struct TablePlace {
     const SetupSchema* schema = nullptr;
     const Setup* setup = nullptr;
@@ -53,7 +53,7 @@ TablePlace place_of_table(const Project& project, const AnalysisEntry& analysis,
     return place;
 }
 
-/// The candidates of the CSV file in the units of the table, behind its rows.
+/// Adds the candidates of the CSV file, in the units of the table, behind its rows.
 void add_candidates(const Project& project, const FieldSpec& field, const std::string& file,
                     DesignTable& table, Problems& problems) {
     if (is_led_out_of(project.directory, file))
@@ -83,7 +83,7 @@ template <class M>
 std::string at(std::vector<M> Design::*member, std::size_t item) {
     return design_fields().place(member, item);
 }
-/// Of the choice, within the design.
+/// The path of a member of the choice, within the design.
 template <class M>
 std::string at(M DesignChoice::*member) {
     return at(&Design::choose) + choice_fields().place(member);

@@ -9,7 +9,7 @@ namespace {
 
 using Style = JsonWriter::Style;
 
-/// All 64 bits count: a text.
+/// A seed as a text, because all of its 64 bits count.
 struct SeedText {
     void read(ObjectReader& reader, const std::string& key, bool, std::uint64_t& member) const {
         const std::string text = reader.text(key);

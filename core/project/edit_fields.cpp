@@ -17,7 +17,7 @@ std::vector<std::string> distribution_keys() {
     return keys;
 }
 
-// null is the infinity on the side that the parameter bounds.
+// The infinity that null means, on the side that the parameter bounds.
 double infinite_parameter(std::string_view key) {
     return key == "low" ? -infinity : infinity;
 }
@@ -75,7 +75,7 @@ void write_parameters(JsonWriter& out, const ComponentEdit& component) {
     out.end();
 }
 
-/// The key of a distribution, and its parameters, whose keys follow from it.
+/// The fields of a distribution: its key, and its parameters, whose keys follow from it.
 JsonFields<ComponentEdit> stated_distribution() {
     return JsonFields<ComponentEdit>(tell<"a distribution">())
         .required("distribution", &ComponentEdit::distribution)

@@ -1,4 +1,5 @@
-// What an analysis changes of its model's inputs, as project files have it: links, edits, correlations.
+// The changes that an analysis makes to its model's inputs, as project files have them: links, edits,
+// correlations.
 #pragma once
 
 #include "core/project/json_fields.h"

@@ -54,7 +54,7 @@ void EntryGraph::refer(const Project& project) {
                 links_[number_of_analysis(i)].push_back(found->second);
 }
 
-// Depth first, with a stack of its own: a chain may be as long as the file.
+// The entries are sorted depth first, with a stack of our own: a chain may be as long as the file.
 void EntryGraph::sort() {
     enum class State { waiting, in_work, done };
     struct Step {

@@ -13,20 +13,22 @@ namespace covaria {
 /// A reference of an entry to another.
 struct EntryReference {
     static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
-    std::string path;   ///< relative to the entry: "/setup/base_uncertainty"
-    std::string title;  ///< of the field
-    std::string id;     ///< of the entry it refers to
+    std::string path;   ///< place of the reference, relative to the entry: "/setup/base_uncertainty"
+    std::string title;  ///< title of the field that refers
+    std::string id;     ///< id of the entry that it refers to
     std::vector<std::string> capabilities;
     std::size_t entry = none;  ///< number of that entry; none: there is no such entry, or it cannot be taken
-    bool to_analysis = false;  ///< which stands for an asset; only analyses can take it
-    /// Ids from that entry back to this one, where it refers back: the reference is refused, and no edge.
+    /// Whether it refers to an analysis, which stands for an asset; only analyses can take it.
+    bool to_analysis = false;
+    /// Ids from that entry back to this one, where it refers back: the reference is then refused, and is no
+    /// edge.
     std::vector<std::string> circle = {};
 
     bool is_edge() const { return entry != none && circle.empty(); }
 };
 
-/// Entries are numbered: the assets of the project, then its analyses. Of several with one id the first
-/// counts.
+/// The graph of the entries, which are numbered: the assets of the project, then its analyses. Of several
+/// entries with one id the first counts.
 class EntryGraph {
 public:
     explicit EntryGraph(const Project& project);
@@ -34,12 +36,13 @@ public:
     std::size_t size() const { return references_.size(); }
     bool is_asset(std::size_t entry) const { return entry < assets_; }
     std::size_t number_of_analysis(std::size_t analysis) const { return assets_ + analysis; }
-    /// In the order of the entry's schema.
+    /// The references of an entry, in the order of its schema.
     const std::vector<EntryReference>& references(std::size_t entry) const { return references_[entry]; }
     /// All entries, each after those that its set-up refers to. (Links are no part of this order: they
     /// compose models that are made already.)
     const std::vector<std::size_t>& order() const { return order_; }
-    /// Those that the entry refers to or has links to, directly or through others, without itself; rising.
+    /// The entries that this one refers to or has links to, directly or through others, without itself;
+    /// rising.
     std::vector<std::size_t> used_by(std::size_t entry) const;
 
 private:
@@ -49,7 +52,8 @@ private:
     std::size_t assets_;
     std::vector<std::string> ids_;
     std::vector<std::vector<EntryReference>> references_;
-    std::vector<std::vector<std::size_t>> links_;  ///< to analyses whose outputs are inputs of the entry
+    /// Links of each entry to the analyses whose outputs are inputs of it.
+    std::vector<std::vector<std::size_t>> links_;
     std::vector<std::size_t> order_;
 };
 

@@ -1,4 +1,4 @@
-// What messages call an asset or an analysis: as the tree of the project shows it, never by its id.
+// The names of assets and analyses in messages: as the tree of the project shows them, never by their ids.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,8 @@
 
 namespace covaria {
 
-/// Entries that share a name are counted in the order of the tree: "Tracker (1)", "Tracker (2)".
+/// The name of an entry among its like; entries that share a name are counted in the order of the tree:
+/// "Tracker (1)", "Tracker (2)".
 template <class Entry>
 std::string name_among(const std::vector<Entry>& entries, const Entry& entry) {
     if (entry.name.empty()) return entry.id;
@@ -24,7 +25,8 @@ std::string name_among(const std::vector<Entry>& entries, const Entry& entry) {
     return alike < 2 ? entry.name : entry.name + " (" + std::to_string(place) + ")";
 }
 
-/// Of an asset or analysis; what has no name, and what is not in the project, is called as it is referred to.
+/// The name of an asset or analysis; one without a name, or that is not in the project, is called as it is
+/// referred to.
 inline std::string shown_name(const Project& project, const std::string& id, bool of_analysis) {
     if (of_analysis) {
         const AnalysisEntry* analysis = project.find_analysis(id);
@@ -34,7 +36,7 @@ inline std::string shown_name(const Project& project, const std::string& id, boo
     return asset ? name_among(project.assets, *asset) : id;
 }
 
-/// " (did you mean 'Laser tracker'?)": the entry with the nearest id or name, by its name.
+/// A hint at the entry with the nearest id or name, by its name: " (did you mean 'Laser tracker'?)".
 template <class Entry>
 Message did_you_mean_entry(const std::string& reference, const std::vector<Entry>& entries) {
     std::vector<std::string> known;

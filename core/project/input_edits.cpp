@@ -119,7 +119,7 @@ private:
     }
 
     // Takes the quantity's own components out of it, with their correlations; their places stay. Components
-    // of its point go too, and stay in the other coordinates.
+    // of its point are given up too, and stay in the other coordinates.
     std::vector<std::size_t> give_up_own() {
         std::vector<std::size_t> places;
         for (const Share& share : quantity_.shares)
@@ -182,8 +182,8 @@ void hold_component(InputSet& inputs, const InputEdit& edit, const std::string& 
         inputs.components[component].held = edit.held;
 }
 
-/// What a correlation is stated for: one component, or a quantity as a whole, which is its components by
-/// their correlation with its total deviation.
+/// The parts that a correlation is stated for: one component, or a quantity as a whole, which is its
+/// components by their correlation with its total deviation.
 std::vector<Share> correlated_parts(const InputSet& inputs, const std::string& name, const std::string& path,
                                     Problems& problems) {
     if (const std::size_t found = find_component(inputs, name); found != InputSet::npos)
@@ -201,7 +201,7 @@ std::vector<Share> correlated_parts(const InputSet& inputs, const std::string& n
     return {};
 }
 
-/// Takes the place of a correlation that the model declares between the same two.
+/// Sets a correlation in place of the one that the model declares between the same two, if there is one.
 void set_correlation(InputSet& inputs, std::size_t first, std::size_t second, double coefficient) {
     std::erase_if(inputs.correlations, [&](const ComponentCorrelation& other) {
         return std::minmax(other.first, other.second) == std::minmax(first, second);

@@ -13,16 +13,16 @@ namespace covaria {
 /// appended. Components of one point (`local`) are replaced in the edited coordinate and stay in the others;
 /// those that a quantity shares with other points or quantities stay.
 ///
-/// Components are deviations from the estimate (component_edit.h).
-/// After all edits of a quantity its estimate is the edited one, whatever the means of its components. A held
-/// quantity is constant at its estimate; components that it shares with others stay in those.
+/// Components are deviations from the estimate (component_edit.h). After all edits of a quantity its estimate
+/// is the edited one, whatever the means of its components. A held quantity is constant at its estimate;
+/// components that it shares with others stay in those.
 ///
-/// A correlation names a component by its id or a quantity by its symbol. Of a quantity as a whole it applies
-/// to the total deviation: two components get r times their correlations with the totals that they are part
-/// of.
+/// A correlation names a component by its id or a quantity by its symbol. A correlation of a quantity as a
+/// whole applies to the total deviation: two components get r times their correlations with the totals that
+/// they are part of.
 InputSet apply_edits(InputSet inputs, const AnalysisEntry& analysis, Problems& problems);
 
-/// The last part of that: takes the place of correlations that the model declares.
+/// Applies the correlations alone, in place of those that the model declares.
 void apply_correlations(InputSet& inputs, const std::vector<CorrelationEdit>& edits, Problems& problems);
 
 }  // namespace covaria

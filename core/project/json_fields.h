@@ -21,7 +21,7 @@
 
 namespace covaria {
 
-/// How a value of type M stands under a key: `read` leaves `member` as it is where nothing is given.
+/// The form of a value of type M under a key. `read` leaves `member` as it is where nothing is given.
 template <class M>
 struct JsonValue;
 
@@ -112,7 +112,7 @@ struct JsonValue<std::vector<Number>> {
     }
 };
 
-/// x, y, z on one line.
+/// A list x, y, z on one line.
 template <>
 struct JsonValue<std::array<double, 3>> {
     static void read(ObjectReader& reader, const std::string& key, bool required,
@@ -169,22 +169,22 @@ public:
     JsonFields(Message what, std::function<Style(const T&)> style)
         : what_(std::move(what)), style_(std::move(style)) {}
 
-    /// Read where it is given, written where it is not what a new T has.
+    /// Adds a member that is read where it is given, and written where it is not what a new T has.
     template <class M, class How = JsonValue<M>>
     JsonFields& add(const char* key, M T::*member, How how = {}) {
         return declare(key, member, std::move(how), false, false);
     }
-    /// Always written; without it the file has a problem.
+    /// Adds a member that is always written, and without which the file has a problem.
     template <class M, class How = JsonValue<M>>
     JsonFields& required(const char* key, M T::*member, How how = {}) {
         return declare(key, member, std::move(how), true, true);
     }
-    /// Always written; files may leave it out.
+    /// Adds a member that is always written, and that files may leave out.
     template <class M, class How = JsonValue<M>>
     JsonFields& written(const char* key, M T::*member, How how = {}) {
         return declare(key, member, std::move(how), false, true);
     }
-    /// The keys of a member that stands in the same object.
+    /// Adds the keys of a member that stand in the same object.
     template <class M>
     JsonFields& part(M T::*member, JsonFields<M> fields) {
         const auto shared = std::make_shared<const JsonFields<M>>(std::move(fields));
@@ -197,7 +197,7 @@ public:
         return *this;
     }
 
-    /// A member whose form depends on others, which are declared before it; always written.
+    /// Adds a member, always written, whose form depends on others, which are declared before it.
     template <class M>
     JsonFields& by_hand(const char* key, M T::*member,
                         std::function<void(ObjectReader&, const std::string& key, T&)> read,
@@ -209,7 +209,7 @@ public:
                            }});
         return *this;
     }
-    /// Those of others, of T itself.
+    /// Adds the fields of others, of T itself.
     JsonFields& all_of(const JsonFields& others) {
         fields_.insert(fields_.end(), others.fields_.begin(), others.fields_.end());
         return *this;
@@ -234,7 +234,7 @@ public:
         for (const Field& field : fields_) field.write(out, value, otherwise);
     }
 
-    /// "/axes": where a problem with the member is, relative to the object.
+    /// The place of a problem with the member, relative to the object: "/axes".
     template <class M>
     std::string place(M T::*member) const {
         for (const Field& field : fields_)
@@ -306,7 +306,7 @@ struct ObjectOf {
 template <class T>
 ObjectOf(JsonFields<T>) -> ObjectOf<T>;
 
-/// What may be absent, and is not written then.
+/// A value that may be absent, and is not written then.
 template <class How>
 struct Optional {
     How how;

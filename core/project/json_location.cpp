@@ -22,7 +22,7 @@ bool is_digit(char c) {
     return c >= '0' && c <= '9';
 }
 
-// RFC 8259 section 6: -? (0 | [1-9][0-9]*) (. [0-9]+)? ([eE] [+-]? [0-9]+)?
+// The grammar of a number is RFC 8259 section 6: -? (0 | [1-9][0-9]*) (. [0-9]+)? ([eE] [+-]? [0-9]+)?
 bool is_json_number(std::string_view word) {
     std::size_t i = 0;
     const auto digits = [&] {
@@ -69,7 +69,7 @@ std::string pointer_token(const std::string& token) {
     return escaped;
 }
 
-/// Recursive descent over the text; the first failure ends it.
+/// Scanner of a text by recursive descent; the first failure ends it.
 class JsonScanner {
 public:
     JsonScanner(std::string_view text, JsonLocations& found) : text_(text), found_(found) {
@@ -121,7 +121,7 @@ private:
         skip_space();
         if (at_end()) return refuse_end(tell<"where a value is expected">());
         line_at_[static_cast<std::size_t>(depth)] = line_;
-        // On the line of what is around it, it is found by that: a row's cells by their row.
+        // A value on the line of the one around it is found by that one: a row's cells by their row.
         if (depth <= 1 || line_at_[static_cast<std::size_t>(depth - 1)] != line_)
             found_.lines_[pointer] = line_;
         if (text_[at_] == '{') return object(pointer, depth);
@@ -149,7 +149,7 @@ private:
     std::size_t at_ = 0;
     std::size_t line_begin_ = 0;
     int line_ = 1;
-    std::array<int, deepest + 1> line_at_{};  // of the value around, by depth
+    std::array<int, deepest + 1> line_at_{};  // line of the value around, by depth
     Error error_;
 };
 
@@ -186,7 +186,7 @@ bool JsonScanner::string() {
     return true;
 }
 
-// After a value: a comma, or the closing bracket.
+// After a value there is a comma, or the closing bracket.
 JsonScanner::Next JsonScanner::next(char close, const Message& inside) {
     skip_space();
     if (at_end()) {

@@ -17,7 +17,7 @@ public:
     void begin_object(Style style = Style::spread) { open('{', '}', style); }
     void begin_list(Style style = Style::spread) { open('[', ']', style); }
     void end();
-    /// A key with a text as its value.
+    /// Writes a key with a text as its value.
     void member(const char* key, const std::string& value) {
         this->key(key);
         text(value);
@@ -25,18 +25,19 @@ public:
     /// Writes the key of the next value, inside an object.
     void key(std::string_view key);
 
-    /// Infinity is written as null; a value that is not a number too, and makes `has_unwritable` true.
+    /// Writes a number. Infinity is written as null; a value that is not a number too, and makes
+    /// `has_unwritable` true.
     void number(double value);
-    /// Where infinity has no meaning: it makes `has_unwritable` true as well.
+    /// Writes a number where infinity has no meaning: it makes `has_unwritable` true as well.
     void finite_number(double value);
     void integer(std::uint64_t value) { raw(std::to_string(value)); }
     void boolean(bool value) { raw(value ? "true" : "false"); }
     void null() { raw("null"); }
-    /// UTF-8; broken sequences become the replacement character.
+    /// Writes a UTF-8 text, whose broken sequences become the replacement character.
     void text(std::string_view value);
 
     bool has_unwritable() const { return has_unwritable_; }
-    /// A value could not be written as it is: the text does not read back as the same value.
+    /// Notes that a value could not be written as it is: the text does not read back as the same value.
     void note_unwritable() { has_unwritable_ = true; }
     /// The finished text, with a line feed at its end.
     std::string take();

@@ -27,14 +27,14 @@ void link_as(std::vector<Entry>& entries, const std::vector<Entry>& linked) {
     }
 }
 
-/// Of what the analysis uses, and of itself.
+/// Numbers of the entries that the analysis uses, and its own behind them.
 std::vector<std::size_t> entries_of(const EntryGraph& graph, std::size_t analysis) {
     std::vector<std::size_t> entries = graph.used_by(graph.number_of_analysis(analysis));
     entries.push_back(graph.number_of_analysis(analysis));
     return entries;
 }
 
-/// In the place of the one with its id, else behind the others.
+/// Puts the entry in the place of the one with its id, or behind the others where there is none.
 template <class Entry>
 void put(std::vector<Entry>& entries, const Entry& entry) {
     const auto same = std::ranges::find(entries, entry.id, &Entry::id);
@@ -82,7 +82,7 @@ KeptState state_of_other(const Project& project, const std::string& other, const
     KeptState state = state_to_keep(project, analysis, at);
     const auto compared = std::ranges::find(project.analyses, other, &AnalysisEntry::id);
     if (compared == project.analyses.end()) return state;
-    // Of a project of somebody else, no more than the numbers need.
+    // The part of another one's project is no more than the numbers need.
     auto part = std::make_shared<Project>(*state.project);
     part->assets.clear();
     part->analyses.clear();

@@ -14,20 +14,21 @@ namespace covaria {
 /// Calls `visit` for every table that was read from a file.
 void for_linked_tables(Project& project, const std::function<void(SetupTable&, const FieldSpec&)>& visit);
 
-/// Names as written in the project, each once.
+/// Names of the linked files as written in the project, each once.
 std::vector<std::string> linked_files(const Project& project);
 
 /// A file that a text of a set-up names (FieldSpec::file_ending).
 struct NamedFile {
-    std::string name;  ///< as written
+    std::string name;  ///< name as written
     std::filesystem::path path;
 };
-/// Of one set-up, in the order of its schema; blank names are left out.
+/// Named files of one set-up, in the order of its schema; blank names are left out.
 std::vector<NamedFile> named_files(const Project& project, const SetupSchema& schema, const Setup& setup);
-/// Names of files that influence no number, each once: what set-ups name, and the logo of the certificate.
+/// Names of files that influence no number, each once: those that set-ups name, and the logo of the
+/// certificate.
 std::vector<std::string> context_files(const Project& project);
 
-/// Puts all tables into the project itself: it needs no file beside it any more.
+/// Puts all tables into the project itself, so that it needs no file beside it any more.
 void unlink_tables(Project& project);
 
 }  // namespace covaria

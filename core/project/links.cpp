@@ -21,9 +21,9 @@ namespace covaria {
 
 namespace {
 
-constexpr std::size_t deepest_chain = 64;  // of analyses one after the other; each is on the stack
+constexpr std::size_t deepest_chain = 64;  // analyses one after the other; each is on the stack
 
-/// A link with its place: of the list of links, or of the field of the set-up that refers to an analysis.
+/// A link with its place, in the list of links or in the field of the set-up that refers to an analysis.
 struct PlacedLink {
     InputLink link;
     std::string path;
@@ -58,7 +58,7 @@ bool only_in_linked(const InputSet& inputs, std::size_t component, const std::se
     return found;
 }
 
-/// Edits and correlations of what is taken from elsewhere have no effect, so they are refused.
+/// Refuses edits and correlations of quantities that are taken from elsewhere, because they have no effect.
 void refuse_idle_edits(const AnalysisEntry& entry, const InputSet& inputs, Problems& problems) {
     std::set<std::string> linked;
     for (const PlacedLink& placed : links_of(entry, inputs)) linked.insert(placed.link.input);
@@ -175,7 +175,8 @@ private:
         return ModelLink{input, *part, *output};
     }
 
-    /// The quantity becomes what is taken for it, where the set-up states its unit.
+    /// Gives the problem a remedy where the set-up states the quantity's unit: the quantity becomes what is
+    /// taken for it.
     void add_remedy(const InputQuantity& quantity, const Unit& unit, Problems& problems) const {
         const AnalysisEntry* entry = project_.find_analysis(path_.back());
         const SetupSchema* schema = entry ? schema_of(*entry) : nullptr;
@@ -218,7 +219,7 @@ private:
         return known_[key] = made;
     }
 
-    /// What is wrong further up in the chain is said by the words that say it there.
+    /// The objection to an analysis further up in the chain, in the words that say it there.
     Message objection_to(const AnalysisEntry& entry, const Problems& found) {
         for (const Problem& problem : found.items()) {
             if (problem.severity != Severity::error) continue;
@@ -235,7 +236,7 @@ private:
         return message;
     }
 
-    /// As the window's tree has it.
+    /// The name of an entry as the window's tree has it.
     std::string name_of(const AnalysisEntry& entry) const { return name_among(project_.analyses, entry); }
     std::string name_of(const std::string& id) const { return shown_name(project_, id, true); }
 
@@ -276,8 +277,8 @@ private:
 
     const Project& project_;
     const MakeOwnModel& make_own_;
-    std::vector<Message> said_of_chain_;  ///< what needs no words of who has it
-    std::vector<std::string> path_;       ///< from the analysis that is made to the one in work
+    std::vector<Message> said_of_chain_;  ///< messages that need no words of which analysis has them
+    std::vector<std::string> path_;       ///< ids from the analysis that is made to the one in work
     std::map<std::pair<std::string, bool>, Index> known_;
     std::vector<ChainPart> parts_;
 };
@@ -345,13 +346,13 @@ void add_used_analyses(const Project& project, const AnalysisEntry& analysis, Pr
         part.analyses.back().views.clear();
         part.analyses.back().quantity_notes.clear();
         part.analyses.back().requirements.clear();
-        part.analyses.back().options = {};  // of its own evaluation
+        part.analyses.back().options = {};  // options concern its own evaluation alone
     }
 }
 
 namespace {
 
-/// Those of the layout, each once.
+/// The points of the layout whose coordinates are links, each once.
 std::vector<LinkedPoint> linked_points(const ComposedModel& chain, const OutputCovariance& covariance) {
     if (covariance.rows() != static_cast<Eigen::Index>(chain.parts().back().links.size())) return {};
     std::vector<double> x;

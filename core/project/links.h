@@ -27,18 +27,18 @@ struct LinkedInput {
     double degrees_of_freedom = 0.0;
 };
 
-/// Three of them that are the coordinates of a point in the layout of the analysis.
+/// Three linked inputs that are the coordinates of a point in the layout of the analysis.
 struct LinkedPoint {
-    std::array<std::size_t, 3> links = {};  ///< as LayoutPoint::links
+    std::array<std::size_t, 3> links = {};  ///< places as in LayoutPoint::links
     Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
 };
 
-/// What is said of a chain of more analyses than are made into one.
+/// The message for a chain of more analyses than are made into one.
 Message chain_too_long();
 
-/// What an analysis takes from others.
+/// The quantities that an analysis takes from others.
 struct LinkedQuantities {
-    std::vector<LinkedInput> inputs = {};  ///< in the order of the links
+    std::vector<LinkedInput> inputs = {};  ///< inputs in the order of the links
     std::vector<LinkedPoint> points = {};
 };
 
@@ -51,9 +51,10 @@ struct ModelOfAnalysis {
 /// The model of an entry by itself, edits applied; no model after an error (paths relative to the analysis).
 using MakeOwnModel = std::function<ModelOfAnalysis(const AnalysisEntry& entry, Problems& problems)>;
 
-/// `own` with what it takes from other analyses in front of it, directly or through others: one model, whose
-/// inputs go down to what nothing is taken for. Without links, `own` itself. No model after an error: unknown
-/// analysis, output or input, another dimension, an input that is edited as well, a circle (with its path).
+/// The model of an analysis, with the analyses that it takes outputs from, directly or through others, in
+/// front of `own`: one model, whose inputs go down to those that nothing is taken for. Without links it is
+/// `own` itself. No model after an error: unknown analysis, output or input, another dimension, an input that
+/// is edited as well, a circle (with its path).
 ModelOfAnalysis compose_analysis(const Project& project, const AnalysisEntry& entry, ModelOfAnalysis own,
                                  const MakeOwnModel& make_own, Problems& problems);
 
@@ -62,14 +63,14 @@ bool has_links(const AnalysisEntry& entry, const InputSet& inputs);
 
 /// Ids of the analyses that this one takes outputs from, directly or through others; in project order.
 std::vector<std::string> analyses_used_by(const Project& project, const AnalysisEntry& analysis);
-/// Ids of the analyses that take something from this one, likewise.
+/// Ids of the analyses that take something from this one, directly or through others; in project order.
 std::vector<std::string> analyses_taking_from(const Project& project, const std::string& analysis_id);
-/// Adds to `part`, behind its analyses, those that `analysis` takes outputs from, with what influences
+/// Adds to `part`, behind its analyses, those that `analysis` takes outputs from, with all that influences
 /// numbers.
 void add_used_analyses(const Project& project, const AnalysisEntry& analysis, Project& part);
 
-/// Of the last analysis of a chain, by the law of propagation. Empty for a model that is no chain, or has no
-/// value at its estimates.
+/// The quantities that the last analysis of a chain takes from others, by the law of propagation. Empty for a
+/// model that is no chain, or has no value at its estimates.
 LinkedQuantities quantities_of_links(const MeasurementModel& model);
 
 }  // namespace covaria

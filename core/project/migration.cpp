@@ -1,6 +1,6 @@
-// To change the file format: raise project_schema_version, append a step here, put a sample file of the
-// version before it into tests/data/projects. What a step does with assets and analyses it does with those of
-// kept states too ("kept", since version 2).
+// Migration of project files. To change the file format: raise project_schema_version, append a step here,
+// put a sample file of the version before it into tests/data/projects. A step changes the assets and analyses
+// of kept states ("kept", since version 2) as it does those of the project.
 #include "core/project/migration.h"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ namespace {
 
 using Document = nlohmann::ordered_json;
 
-// Before the first release the analyses were called evaluations.
+// The analyses were called evaluations before the first release.
 MigratedProject from_0_to_1(Document document) {
     MigratedProject migrated{Document::object()};
     for (auto& [key, value] : document.items())
@@ -34,8 +34,9 @@ std::string text_of(const Document& entry, const char* key) {
     return found != entry.end() && found->is_string() ? found->get<std::string>() : std::string();
 }
 
-/// What identifies a robot was an asset beside the analysis that does the same, each with the data. It is the
-/// analysis now: one with the same set-up where there is one, else one of its own.
+/// The change of the assets that identify a robot. Such an asset stood beside an analysis that does the same,
+/// each with the data; now the analysis alone is left: one with the same set-up where there is one, else one
+/// of its own.
 class AssetsToAnalyses {
 public:
     explicit AssetsToAnalyses(Document document) : migrated_{std::move(document)} {}
@@ -140,7 +141,7 @@ private:
     }
 
     MigratedProject migrated_;
-    std::map<std::string, std::string> renamed_;  ///< id of an asset -> of the analysis
+    std::map<std::string, std::string> renamed_;  ///< ids of the analyses by those of the assets
 };
 
 MigratedProject from_1_to_2(Document document) {
@@ -148,8 +149,8 @@ MigratedProject from_1_to_2(Document document) {
 }
 
 using Step = MigratedProject (*)(Document);
-constexpr std::array<Step, project_schema_version> steps{from_0_to_1,
-                                                         from_1_to_2};  // steps[v]: from version v to v + 1
+// The step steps[v] leads from version v to v + 1.
+constexpr std::array<Step, project_schema_version> steps{from_0_to_1, from_1_to_2};
 
 }  // namespace
 

@@ -24,8 +24,8 @@ struct MigratedProject {
     MovedEntries moved = {};
 };
 
-/// The document as of `project_schema_version`. Errors (path "/schemaVersion"): no version, or one that this
-/// program does not know because it is newer.
+/// The document brought up to `project_schema_version`. Errors (path "/schemaVersion"): no version, or one
+/// that this program does not know because it is newer.
 Result<MigratedProject> migrate_project(nlohmann::ordered_json document);
 
 }  // namespace covaria

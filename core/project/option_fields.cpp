@@ -12,9 +12,9 @@ const std::vector<Method> always{Method::first_order, Method::monte_carlo, Metho
 const std::vector<Method> with_trials{Method::monte_carlo, Method::adaptive};
 const std::vector<Method> if_adaptive{Method::adaptive};
 
-/// A run of more would not end on all machines of a laboratory.
+/// The most trials of a run: more would not end on all machines of a laboratory.
 constexpr double most_trials = 1e12;
-/// Of trials for each component or contributor: these know u to some 2e-5 of it.
+/// The most trials for each component or contributor: these know u to some 2e-5 of it.
 constexpr double most_of_a_comparison = 1e9;
 
 template <class E>
@@ -43,7 +43,8 @@ OptionField method_field() {
 
 OptionField variance_reduction_field() {
     const auto kind = [](VarianceReduction reduction, const char* title) {
-        return ChoiceOf<VarianceReduction>{reduction, key_of(reduction).data(), title};  // of a literal
+        // The key is a literal.
+        return ChoiceOf<VarianceReduction>{reduction, key_of(reduction).data(), title};
     };
     return choice(
         "varianceReduction", "Variance reduction",

@@ -88,7 +88,7 @@ struct OptionReader {
         options.*member = reader.number(field.key);
     }
 
-    /// A bare number is meant in the SI unit of every output.
+    /// Reads a quantity; a bare number is meant in the SI unit of every output.
     void operator()(std::optional<Quantity> EvaluationOptions::*member) {
         if (!reader.has(field.key)) return;
         if (value.at(field.key).is_object())

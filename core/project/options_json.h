@@ -1,4 +1,4 @@
-// Evaluation options in project files: only what is not default is written.
+// The section of project files for evaluation options: only options that are not default are written.
 #pragma once
 
 #include <cstdint>
@@ -13,10 +13,10 @@
 namespace covaria {
 
 EvaluationOptions options_from_json(const Json& value, const std::string& path, Problems& problems);
-/// An object on its own lines; the options are not all default.
+/// Writes options that are not all default as an object on its own lines.
 void write_options(JsonWriter& out, const EvaluationOptions& options);
 
-/// Seeds are texts, because they may need 64 bits; empty: the text is no seed.
+/// The seed that a text states; empty where it is none. Seeds are texts, because they may need 64 bits.
 std::optional<std::uint64_t> seed_from(const std::string& text);
 inline Message seed_words() {
     return tell<"a whole number from 0 to 18446744073709551615, in quotes">();

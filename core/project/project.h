@@ -23,20 +23,21 @@
 namespace covaria {
 
 struct AssetEntry {
-    std::string id = {};    ///< unique in the project: letters, digits, '-' and '_'
-    std::string kind = {};  ///< of the asset registry
+    std::string id = {};    ///< id, unique in the project: letters, digits, '-' and '_'
+    std::string kind = {};  ///< kind of the asset registry
     std::string name = {};
     std::string notes = {};
     Setup setup = {};
-    std::vector<AssetCertificate> certificates = {};  ///< that its figures come from; none: they are assumed
+    /// Certificates that the figures come from; none: they are assumed.
+    std::vector<AssetCertificate> certificates = {};
     bool operator==(const AssetEntry&) const = default;
 };
 
-/// A component as typed: the distribution's kind and parameters in `unit`.
+/// A component as it was typed: the distribution's kind and parameters in `unit`.
 struct ComponentEdit {
     std::string name = {};
     std::string distribution;        ///< key of distribution_kinds()
-    std::vector<double> parameters;  ///< in the order of distribution_kinds(), in `unit`
+    std::vector<double> parameters;  ///< parameters in the order of distribution_kinds(), in `unit`
     Unit unit = {};
     EvaluationType type = EvaluationType::type_b;
     std::optional<double> degrees_of_freedom = {};
@@ -48,13 +49,13 @@ struct ComponentEdit {
 struct InputEdit {
     std::string symbol = {};
     std::optional<Quantity> estimate = {};
-    std::optional<std::vector<ComponentEdit>> components = {};  ///< replaces all own components
+    std::optional<std::vector<ComponentEdit>> components = {};  ///< components that replace all own ones
     std::optional<Combination> combination = {};
     bool held = false;
     bool operator==(const InputEdit&) const = default;
 };
 
-/// What people wrote about one input quantity: why this figure, what was agreed. No result depends on it.
+/// Notes of people on one input quantity: why this figure, what was agreed. No result depends on them.
 struct QuantityNotes {
     std::string symbol = {};
     std::string notes = {};
@@ -70,28 +71,29 @@ struct CorrelationEdit {
 /// Target or tolerance for an output.
 struct Requirement {
     std::string group, symbol;
-    std::optional<Quantity> target_uncertainty = {};  ///< U must not exceed this
-    // Conformity with a tolerance (JCGM 106, ISO 14253-1).
+    std::optional<Quantity> target_uncertainty = {};  ///< limit that U must not exceed
+    // Limits and rules for conformity with a tolerance (JCGM 106, ISO 14253-1).
     std::optional<Quantity> lower_limit = {}, upper_limit = {};
-    double guard_factor = 1.0;  ///< guard bands of this times U inside the tolerance; 0: simple acceptance
-    /// What is known before the measurement: normal; for the global risks of a decision rule.
+    /// Multiple of U that guard bands have inside the tolerance; 0: simple acceptance.
+    double guard_factor = 1.0;
+    /// Knowledge before the measurement, a normal distribution, for the global risks of a decision rule.
     std::optional<Quantity> prior_mean = {}, prior_standard_deviation = {};
     GuardRule guard_rule = GuardRule::factor;
-    double target_risk = 0.02;  ///< of the rules that are made for one
+    double target_risk = 0.02;  ///< risk of the rules that are made for one
     bool operator==(const Requirement&) const = default;
 };
 
 /// An input quantity whose value is an output of another analysis: the models are composed.
 struct InputLink {
-    std::string input;  ///< symbol
+    std::string input;  ///< symbol of the input quantity
     OutputReference output;
-    bool linearised = false;  ///< the other analysis is replaced by its law of propagation, for speed
+    bool linearised = false;  ///< whether the other analysis is replaced by its law of propagation, for speed
     bool operator==(const InputLink&) const = default;
 };
 
 struct AnalysisEntry {
     std::string id = {};
-    std::string model = {};  ///< of the model registry
+    std::string model = {};  ///< model of the model registry
     std::string name = {};
     std::string notes = {};
     Setup setup = {};
@@ -102,11 +104,12 @@ struct AnalysisEntry {
     std::vector<Requirement> requirements = {};
     std::vector<Study> studies = {};
     std::vector<Design> designs = {};
-    std::vector<SavedView> views = {};  ///< of its scene
+    std::vector<SavedView> views = {};  ///< views of its scene
     std::vector<QuantityNotes> quantity_notes = {};
-    /// Date of the measurement, or an interval of two; empty: that of the project's certificate.
+    /// Date of the measurement, or an interval of two; empty: the one of the project's certificate.
     std::string measured = {};
-    std::vector<AssetCertificate> certificates = {};  ///< that figures stated in its own set-up come from
+    /// Certificates that the figures stated in its own set-up come from.
+    std::vector<AssetCertificate> certificates = {};
     bool operator==(const AnalysisEntry&) const = default;
 };
 
@@ -114,14 +117,16 @@ struct Project {
     std::string title = {};
     std::string notes = {};
     std::string author = {};
-    std::string number = {};  ///< by which the author's house knows it
+    std::string number = {};  ///< number by which the author's house knows the project
     Certificate certificate = {};
     ReportContents report = {};
     ProjectResults results = {};
     std::vector<AssetEntry> assets = {};
     std::vector<AnalysisEntry> analyses = {};
-    std::vector<KeptState> kept = {};      ///< one of an analysis at most; no result depends on them
-    std::filesystem::path directory = {};  ///< where CSV files are looked for; not saved, not compared
+    /// Kept states, at most one for an analysis; no result depends on them.
+    std::vector<KeptState> kept = {};
+    /// Folder where CSV files are looked for; neither saved nor compared.
+    std::filesystem::path directory = {};
 
     const AssetEntry* find_asset(const std::string& id) const;
     const AnalysisEntry* find_analysis(const std::string& id) const;
@@ -133,7 +138,7 @@ struct Project {
     }
 };
 
-/// The options of an analysis with what the project states for all: what it is evaluated by.
+/// The options that an analysis is evaluated by: its own, with those that the project states for all.
 EvaluationOptions effective_options(const Project& project, const AnalysisEntry& analysis);
 
 }  // namespace covaria

@@ -76,7 +76,7 @@ public:
     const std::vector<CsvOrigin>& csv() const { return context_.csv; }
 
 private:
-    /// What a project and a state of it have alike.
+    /// Reads the part that a project and a state of it have alike.
     void read_evaluated(ObjectReader& reader, Project& project) {
         if (const Json* results = reader.find("results"))
             project.results =
@@ -142,7 +142,7 @@ private:
         reader.refuse_unknown_keys();
     }
 
-    // Of an unknown kind nothing is known about its fields; making it reports the kind.
+    // Reads a set-up. The fields of an unknown kind are not known; making it reports the kind.
     template <class Entry>
     void read_setup(ObjectReader& reader, Entry& entry) {
         const Json* setup = reader.find("setup");
@@ -164,7 +164,7 @@ void locate_in_csv(Problem& problem, const std::vector<CsvOrigin>& csv) {
     }
 }
 
-/// Where the things of a text stand.
+/// The places of the values of a text, and its name.
 struct Places {
     std::string name;
     std::optional<JsonLocations> locations = {};
@@ -176,7 +176,7 @@ struct Places {
             if (problem.file.empty()) locate_in_csv(problem, csv);
             if (!problem.file.empty()) continue;
             problem.file = name;
-            // What is missing in the project itself is missing in the object that begins in the first line.
+            // A gap of the project itself is one of the object that begins in the first line.
             if (problem.line == 0)
                 problem.line =
                     std::max(1, locations ? locations->line(moved.place_in_file(problem.path)) : 0);

@@ -1,4 +1,4 @@
-// What a project states for the results of all its analyses.
+// The statements of a project about the results of all its analyses.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@ namespace covaria {
 
 struct ProjectResults {
     ResultStyle style = {};
-    /// k for U = k u of the analyses that state none, greater than zero; empty: as they are.
+    /// The factor k for U = k u of the analyses that state none, greater than zero; empty: as they are.
     std::optional<double> coverage_factor = {};
 
     bool empty() const { return *this == ProjectResults{}; }

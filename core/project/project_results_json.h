@@ -8,7 +8,7 @@
 namespace covaria {
 
 ProjectResults project_results_from_json(const Json& value, const std::string& path, Problems& problems);
-/// An object on its own lines; something is stated.
+/// Writes results that state something as an object on its own lines.
 void write_project_results(JsonWriter& out, const ProjectResults& results);
 
 }  // namespace covaria

@@ -1,4 +1,4 @@
-// Project to canonical text, and its fingerprint.
+// The canonical text of a project, and its fingerprint.
 #include <algorithm>
 #include <cstdint>
 #include <utility>
@@ -84,7 +84,7 @@ void write_kept(JsonWriter& out, const KeptState& state) {
     out.end();
 }
 
-// What has no influence on numbers is taken away, and CSV rows are put in place of the file's name.
+// Takes away the parts that have no influence on numbers, and puts CSV rows in place of the file's name.
 void keep_numbers(Setup& setup) {
     for (auto& [key, value] : setup.values)
         if (SetupTable* table = std::get_if<SetupTable>(&value)) {
@@ -126,7 +126,7 @@ Project numbers_only(Project project) {
     return project;
 }
 
-// FNV-1a, 64 bit (Fowler, Noll, Vo).
+// The hash is FNV-1a, 64 bit (Fowler, Noll, Vo).
 std::uint64_t hash_of(const std::string& text) {
     std::uint64_t hash = 0xcbf29ce484222325;
     for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;

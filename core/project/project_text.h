@@ -9,7 +9,7 @@ namespace covaria {
 
 struct WrittenProject {
     std::string text;
-    bool complete = true;  ///< false: a number was not finite, or a set-up has fields without a schema
+    bool complete = true;  ///< false where a number was not finite, or a set-up has fields without a schema
 };
 
 WrittenProject write_project(const Project& project);

@@ -1,4 +1,4 @@
-// Ways out of problems, taken.
+// Remedies of problems, put into effect.
 #pragma once
 
 #include "core/base/error.h"
@@ -6,7 +6,7 @@
 
 namespace covaria {
 
-/// The project with what the way out puts in its places, which are those in the project ("/analyses/0/setup/
+/// The project with the remedy's values in their places, which are those in the project ("/analyses/0/setup/
 /// ..."). Error: one of them is in a table that is read from a file.
 Result<Project> mended(const Project& project, const Remedy& remedy);
 

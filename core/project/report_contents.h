@@ -1,5 +1,5 @@
-// What of a project goes into its report: project file, its JSON schema, form and report follow the one list
-// of chapters.
+// The part of a project that goes into its report: project file, its JSON schema, form and report follow the
+// one list of chapters.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace covaria {
 
-/// By their keys in files; of an analysis, but for the first and the last two.
+/// The chapters, by their keys in files; each but the first and the last two is a chapter of an analysis.
 enum class ReportChapter {
     models,
     setup,
@@ -32,17 +32,18 @@ enum class ReportChapter {
 
 struct ReportChapterField {
     ReportChapter chapter;
-    const char* key;    ///< in files
-    const char* title;  ///< for people
+    const char* key;    ///< the key in files
+    const char* title;  ///< the title for people
 };
-/// In the order of the report.
+/// The chapters in the order of the report.
 const std::vector<ReportChapterField>& report_chapters();
 
-/// All goes in that is not left out, so that what is added later does. Results are always there.
+/// The contents of a report: everything that is not left out, so that chapters which are added later are in
+/// it too. Results are always there.
 struct ReportContents {
-    std::vector<std::string> without_analyses = {};  ///< ids
-    std::vector<std::string> without_chapters = {};  ///< keys
-    bool annex = false;                              ///< long tables stand whole at the end
+    std::vector<std::string> without_analyses = {};  ///< ids of analyses
+    std::vector<std::string> without_chapters = {};  ///< keys of chapters
+    bool annex = false;                              ///< whether long tables stand whole at the end
 
     bool empty() const { return *this == ReportContents{}; }
     bool has_analysis(const std::string& id) const;
@@ -50,11 +51,11 @@ struct ReportContents {
     bool operator==(const ReportContents&) const = default;
 };
 
-/// `on`: it goes in.
+/// Notes whether a part goes into the report (`on`) or is left out.
 void choose(std::vector<std::string>& without, const std::string& key, bool on);
 
-/// Chapters that there are none of; `analyses`: ids of those of the project, others are warned of. Paths from
-/// the root of the project.
+/// Reports chapters that there are none of, and warns of analyses that are not in `analyses`, the ids of
+/// those of the project. Paths are from the root of the project.
 void check_report_contents(const ReportContents& contents, const std::vector<std::string>& analyses,
                            Problems& problems);
 

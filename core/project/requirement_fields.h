@@ -14,25 +14,25 @@ namespace covaria {
 struct RequirementField {
     using Member =
         std::variant<std::optional<Quantity> Requirement::*, double Requirement::*, GuardRule Requirement::*>;
-    const char* key;    ///< in the project file
-    const char* title;  ///< for people
+    const char* key;    ///< the key in the project file
+    const char* title;  ///< the title for people
     const char* help;
-    Member member;             ///< a number has the default of `Requirement`
-    bool is_interval = false;  ///< a difference of temperatures, not a temperature
+    Member member;             ///< the member; a number has the default of `Requirement`
+    bool is_interval = false;  ///< whether it is a difference of temperatures, not a temperature
 };
 
 inline bool is_choice(const RequirementField& field) {
     return std::holds_alternative<GuardRule Requirement::*>(field.member);
 }
-/// What a guard rule is called in files and by people.
+/// A guard rule as files and people call it.
 struct GuardRuleChoice {
     GuardRule rule;
     Choice choice;
 };
 const std::vector<GuardRuleChoice>& guard_rules();
 
-/// What the field holds, that is no choice, guard factors as a quantity of the unit 1; and the other way:
-/// nullopt is the default.
+/// The value of a field that is no choice, guard factors as a quantity of the unit 1. In `set_value` nullopt
+/// stands for the default.
 std::optional<Quantity> value_of(const Requirement& requirement, const RequirementField& field);
 void set_value(Requirement& requirement, const RequirementField& field, const std::optional<Quantity>& value);
 
@@ -43,7 +43,7 @@ inline bool is_number(const RequirementField& field) {
 /// All fields in the order of the project file.
 const std::array<RequirementField, 8>& requirement_fields();
 
-/// A requirement in project files: the output that it is for, and its figures.
+/// The fields of a requirement in project files: the output that it is for, and its figures.
 const JsonFields<Requirement>& requirement_object();
 
 }  // namespace covaria

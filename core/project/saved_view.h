@@ -10,14 +10,14 @@ namespace covaria {
 struct SavedView {
     using Vector = std::array<double, 3>;
     std::string name = {};
-    Vector direction = {0, 1, 0};  ///< from the eye into the scene, in W
-    Vector up = {0, 0, 1};         ///< of the picture; not along the direction
-    Vector centre = {0, 0, 0};     ///< in the middle of the picture, m
-    double width = 0.0;            ///< of what is seen there, m
+    Vector direction = {0, 1, 0};  ///< direction from the eye into the scene, in W
+    Vector up = {0, 0, 1};         ///< direction that is up in the picture; not along `direction`
+    Vector centre = {0, 0, 0};     ///< point in the middle of the picture, m
+    double width = 0.0;            ///< width of what is seen there, m
     double height = 0.0;
     bool perspective = false;
-    std::vector<std::string> hidden = {};  ///< items of the scene: "body:moving platform"
-    std::string only = {};                 ///< the item that is shown alone; empty: all but `hidden`
+    std::vector<std::string> hidden = {};  ///< items of the scene that are hidden: "body:moving platform"
+    std::string only = {};                 ///< item that is shown alone; empty: all but `hidden`
     bool operator==(const SavedView&) const = default;
 };
 

@@ -8,7 +8,7 @@
 namespace covaria {
 namespace {
 
-/// The unit of centre, width and height, which stand before it; it is written as m.
+/// Reads the unit of centre, width and height, which stand before it; they are written in m.
 void read_length_unit(ObjectReader& reader, const std::string& key, SavedView& view) {
     Unit unit = Unit::of("m");
     JsonValue<Unit>::read(reader, key, true, unit);

@@ -8,7 +8,7 @@ namespace covaria {
 
 const JsonFields<SavedView>& saved_view_fields();
 
-/// The views of an analysis. Reported: a name that is taken, a direction or size of zero.
+/// The list of the views of an analysis. A name that is taken, and a direction or size of zero, are reported.
 struct SavedViewList {
     void read(ObjectReader& reader, const std::string& key, bool required,
               std::vector<SavedView>& member) const;

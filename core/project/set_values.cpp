@@ -38,18 +38,19 @@ std::optional<std::size_t> index_in(const Json& list, const std::string& name) {
     return index;
 }
 
-/// "r_u [%]" -> "r_u".
+/// The key in the head of a column: "r_u" of "r_u [%]".
 std::string key_of(const Json& header) {
     const std::string text = header.is_string() ? header.get<std::string>() : "";
     return text.substr(0, text.find(" ["));
 }
 
-/// Goes down a document name by name.
+/// A walk down a document, name by name.
 class Walk {
 public:
     explicit Walk(Json& document) : at_(&document) {}
 
-    /// What the name leads to; null, and `candidates` says what there is.
+    /// The value that the name leads to; null where it leads nowhere, and `candidates` then says which names
+    /// there are.
     Json* enter(const std::string& name, bool last) {
         Json* from = at_;
         at_ = from->is_object() ? member(name, last) : from->is_array() ? element(name) : nullptr;
@@ -86,12 +87,12 @@ private:
     static std::string name_of(const Json& entry) {
         if (entry.is_object() && entry.contains("id") && entry["id"].is_string()) return entry["id"];
         if (entry.is_array() && !entry.empty() && entry[0].is_string()) return entry[0];
-        return key_of(entry);  // of a column, whose head is a text
+        return key_of(entry);  // the entry is a column, whose head is a text
     }
 
     Json* at_;
-    Json* rows_of_ = nullptr;  // the table whose list of rows `at_` is
-    Json* row_of_ = nullptr;   // the table whose row `at_` is
+    Json* rows_of_ = nullptr;  // table whose list of rows `at_` is
+    Json* row_of_ = nullptr;   // table whose row `at_` is
     std::vector<std::string> candidates_;
 };
 
@@ -113,7 +114,7 @@ Result<void> put(const Json& value, Json& place, const ValueAt& asked) {
     return {};
 }
 
-/// Texts of a certificate: a serial number of figures is a text too, and need not have stood there.
+/// Sets a text of the certificate: a serial number of figures is a text too, and need not have stood there.
 Result<void> set_certificate(Json& document, const std::vector<std::string>& names, const ValueAt& asked) {
     Json* place = &document;
     for (const std::string& name : names) {
@@ -167,7 +168,7 @@ Result<std::vector<ValueAt>> values_at(const std::vector<std::string>& texts) {
 
 Result<std::string> with_values(const std::string& json, const std::vector<ValueAt>& values) {
     Json document = Json::parse(json, nullptr, false);
-    if (document.is_discarded()) return json;  // reading it says what is wrong, with its line
+    if (document.is_discarded()) return json;  // reading the text says what is wrong, with its line
     for (const ValueAt& value : values)
         if (auto done = set(document, value); !done) return fail(done.error());
     return document.dump();

@@ -1,4 +1,5 @@
-// Values of a project file changed from outside before it is read: `--set`, a row of a table a serial number.
+// Values of a project file changed from outside before it is read: `--set`, and a row of a table for each
+// serial number.
 #pragma once
 
 #include <string>
@@ -8,20 +9,20 @@
 
 namespace covaria {
 
-/// A place in a project file and what is to stand there.
+/// A place in a project file and the value that is to stand there.
 struct ValueAt {
-    /// JSON pointer. A list is also entered by the "id" of an entry, a table's row by its first cell, its
-    /// cell and the head of a column by the column's key: "/analyses/gauge/setup/quantities/rows/l_S/value",
-    /// ".../columns/value". Within names '~1' stands
-    /// for '/', '~0' for '~' (RFC 6901).
+    /// The place as a JSON pointer. A list is also entered by the "id" of an entry, a table's row by its
+    /// first cell, its cell and the head of a column by the column's key:
+    /// "/analyses/gauge/setup/quantities/rows/l_S/value", ".../columns/value". Within names '~1' stands for
+    /// '/', '~0' for '~' (RFC 6901).
     std::string pointer;
     std::string
         value;  ///< JSON (23.5, true, null), or else a text; a number takes the unit that stands there
 };
 
-/// From "POINTER=VALUE". Error{usage}.
+/// The place and value of a text "POINTER=VALUE". Error{usage}.
 Result<ValueAt> value_at(const std::string& text);
-/// Likewise, of the first that is wrong.
+/// The places and values of all texts. Error{usage}: that of the first text that is wrong.
 Result<std::vector<ValueAt>> values_at(const std::vector<std::string>& texts);
 
 /// The JSON text of a project with the values in their places. Error{bad_input} with the pointer as path:

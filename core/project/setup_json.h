@@ -11,25 +11,26 @@
 
 namespace covaria {
 
-/// Where the rows of a table came from, for problems found later.
+/// The places that the rows of a table came from, for problems found later.
 struct CsvOrigin {
-    std::string path;  ///< of the table: "/assets/0/setup/observations"
+    std::string path;  ///< path of the table: "/assets/0/setup/observations"
     std::string file;
-    std::vector<int> lines;  ///< per row
+    std::vector<int> lines;  ///< line of each row
 };
 
 struct ReadContext {
-    std::filesystem::path directory;  ///< where CSV files are looked for
+    std::filesystem::path directory;  ///< folder where CSV files are looked for
     Problems& problems;
     std::vector<CsvOrigin> csv = {};
 };
 
-/// Reports under `path` what cannot be read; ranges and required fields are check_setup's matter.
+/// The set-up that a JSON value states. Values that cannot be read are reported under `path`; ranges and
+/// required fields are check_setup's matter.
 Setup setup_from_json(const Json& value, const SetupSchema& schema, const std::string& path,
                       ReadContext& context);
 
 void write_setup(JsonWriter& out, const Setup& setup, const SetupSchema& schema);
-/// {"value": 0.7, "unit": "K"} on one line.
+/// Writes a quantity as {"value": 0.7, "unit": "K"} on one line.
 void write_quantity(JsonWriter& out, const Quantity& quantity);
 
 }  // namespace covaria

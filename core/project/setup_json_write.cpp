@@ -1,4 +1,5 @@
-// Setup to canonical JSON: the schema's order of fields and columns; what was not given stays away.
+// Setup to canonical JSON: the schema's order of fields and columns; fields that were not given are not
+// written.
 #include <algorithm>
 
 #include "core/project/setup_json.h"

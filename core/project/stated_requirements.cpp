@@ -46,7 +46,7 @@ private:
 
     using Figure = std::optional<Quantity> Requirement::*;
 
-    /// A width, greater than zero; the unit of a temperature may be K or degC.
+    /// A width, greater than zero, whose unit may be K or degC where it is of a temperature.
     std::optional<double> interval(Figure figure, const Message& what) {
         const std::optional<Quantity>& typed = typed_.*figure;
         if (!typed) return std::nullopt;

@@ -11,11 +11,11 @@
 
 namespace covaria {
 
-/// What an axis does with the number that it varies.
+/// The use that an axis makes of its value to change the number that it varies.
 enum class StudyChange {
-    value,   ///< takes its place
-    factor,  ///< is multiplied with it
-    added,   ///< is added to it
+    value,   ///< takes the number's place
+    factor,  ///< is multiplied with the number
+    added,   ///< is added to the number
 };
 
 enum class StudySpacing { linear, logarithmic };
@@ -37,7 +37,7 @@ struct StudyAxis {
     StudyChange change = StudyChange::value;
     double from = 0.0;
     double to = 1.0;
-    Unit unit = {};  ///< of `from` and `to`; one for a factor
+    Unit unit = {};  ///< unit of `from` and `to`; the unit one for a factor
     std::size_t values = 11;
     StudySpacing spacing = StudySpacing::linear;
     bool operator==(const StudyAxis&) const = default;
@@ -49,12 +49,12 @@ struct StudyOutput {
 };
 
 struct Study {
-    std::string id;  ///< unique in the analysis: letters, digits, '-' and '_'
+    std::string id;  ///< id, unique in the analysis: letters, digits, '-' and '_'
     std::string name = {};
-    std::vector<StudyAxis> axes = {};       ///< one to three; the last one varies fastest
-    std::vector<StudyOutput> outputs = {};  ///< looked at; empty: all measurands
-    Method method = Method::first_order;    ///< or monte_carlo
-    std::uint64_t trials = 100'000;         ///< of Monte Carlo at each grid point
+    std::vector<StudyAxis> axes = {};       ///< axes, one to three; the last one varies fastest
+    std::vector<StudyOutput> outputs = {};  ///< outputs that are looked at; empty: all measurands
+    Method method = Method::first_order;    ///< first_order or monte_carlo
+    std::uint64_t trials = 100'000;         ///< trials of Monte Carlo at each grid point
     bool operator==(const Study&) const = default;
 };
 

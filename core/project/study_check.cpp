@@ -202,7 +202,7 @@ private:
     }
 
     void add_table(const std::string& asset, const FieldSpec& field, const SetupTable& table) {
-        constexpr std::size_t most_rows = 200;  // of a list to choose from
+        constexpr std::size_t most_rows = 200;  // rows of a list to choose from
         const std::string place = "/setup/" + field.key;
         for (const ColumnSpec& column : field.columns) {
             if (column.kind != FieldKind::number && column.kind != FieldKind::integer) continue;

@@ -8,7 +8,7 @@ namespace covaria {
 
 const JsonFields<Study>& study_fields();
 const JsonFields<StudyAxis>& axis_fields();
-/// Asset, target, change, ends and unit of an axis.
+/// The fields of an axis that say which number it varies: asset, target, change, ends and unit.
 const JsonFields<StudyAxis>& varied_number_fields();
 const JsonFields<StudyOutput>& study_output_fields();
 

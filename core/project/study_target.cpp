@@ -70,7 +70,7 @@ private:
         return fail(ErrorCode::bad_input, tell<"it cannot be varied: %1">(why), "/target");
     }
 
-    /// Of an asset after its name.
+    /// The title of a target, which stands behind its name where it is one of an asset.
     Message titled(Message title) const {
         return prefix_.empty() ? title : tell<"%1: %2">(prefix_, std::move(title));
     }
@@ -261,7 +261,7 @@ private:
     StudyTarget target_;
 };
 
-/// The unit that a text of a set-up names; of another text, and of none, the unit one.
+/// The unit that a text of a set-up names; the unit one where it names none, or there is no such text.
 Unit unit_in(const SetupSchema& schema, const Setup& setup, const std::string& key) {
     const FieldSpec* field = schema.find(key);
     const auto* text = field ? std::get_if<std::string>(&value_of(*field, setup)) : nullptr;
@@ -274,7 +274,7 @@ std::string text_at(const FieldSpec& field, const std::vector<SetupCell>& row, c
     return text ? *text : std::string();
 }
 
-/// That of the first row of a quantity.
+/// The unit of a quantity, which is stated in its first row.
 Unit unit_of_quantity(const SetupSchema& schema, const Setup& setup, const std::string& symbol) {
     const FieldSpec* field = schema.find(&FieldSpec::states_quantities);
     const auto* table = field ? std::get_if<SetupTable>(&value_of(*field, setup)) : nullptr;
@@ -284,7 +284,7 @@ Unit unit_of_quantity(const SetupSchema& schema, const Setup& setup, const std::
     return {};
 }
 
-/// Of a value in a row: what its table, or a field beside it, says of its unit.
+/// The unit on whose scale a value in a row is: what its table, or a field beside it, says.
 Unit scale_in_row(const SetupSchema& schema, const Setup& setup, const FieldSpec& field,
                   const std::vector<SetupCell>& row, const std::string& column) {
     if (field.states_quantities) {

@@ -1,4 +1,5 @@
-// What an axis of a study varies: found in the project, and changed in set-ups and input quantities.
+// The number that an axis of a study varies: found in the project, and changed in set-ups and input
+// quantities.
 #pragma once
 
 #include <limits>
@@ -18,20 +19,20 @@ struct StudyTarget {
     static constexpr std::size_t analysis = std::numeric_limits<std::size_t>::max();
 
     Kind kind = Kind::field;
-    std::size_t asset = analysis;     ///< index in Project::assets
+    std::size_t asset = analysis;     ///< index of the asset in Project::assets
     std::size_t upstream = analysis;  ///< index in Project::analyses of another one that this one takes from
-    std::string key = {};             ///< of the field; symbol of the quantity; id of the component
+    std::string key = {};             ///< key of the field, symbol of the quantity, or id of the component
     std::size_t row = 0;
-    std::size_t column = 0;  ///< of the table's schema; coordinate 0 ... 5 of a pose
-    std::size_t index = 0;   ///< of the quantity or component
-    bool whole = false;      ///< a whole number
-    bool measured = false;   ///< read, observed or calibrated: nobody can choose it
-    Unit unit = {};          ///< in which the project gives the number
-    /// On whose scale the number is: `unit`, or that which another cell of its row or a field gives it; in
-    /// degC no multiple is taken of it.
+    std::size_t column = 0;  ///< column of the table's schema, or coordinate 0 ... 5 of a pose
+    std::size_t index = 0;   ///< index of the quantity or component
+    bool whole = false;      ///< whether it is a whole number
+    bool measured = false;   ///< whether it was read, observed or calibrated, so that nobody can choose it
+    Unit unit = {};          ///< unit in which the project gives the number
+    /// The unit on whose scale the number is: `unit`, or the one which another cell of its row or a field
+    /// gives it; no multiple is taken of a number in degC.
     Unit scale = {};
-    TypesetMessage title = {};  ///< "Targets, B: x"
-    double current = 0.0;       ///< in `unit`; of a column that of its first row with a number
+    TypesetMessage title = {};  ///< title of the target: "Targets, B: x"
+    double current = 0.0;       ///< present value in `unit`; of a column, its first number
 
     bool in_setup() const { return kind <= Kind::column; }
     bool is_of_analysis_itself() const { return asset == analysis && upstream == analysis; }
@@ -44,22 +45,22 @@ const Setup& varied_setup(const StudyTarget& target, std::size_t own, const Proj
 /// The title of a target with what is done to it: "Targets, B: x, factor".
 TypesetMessage changed_title(const StudyTarget& target, StudyChange change);
 
-/// Error (path "/asset" or "/target") when there is no such number. `inputs`: of the analysis, edits applied;
-/// null when they are not known.
+/// The number that an axis varies. Error (path "/asset" or "/target") when there is no such number. `inputs`
+/// are those of the analysis, edits applied; null when they are not known.
 Result<StudyTarget> find_study_target(const Project& project, const AnalysisEntry& analysis,
                                       const InputSet* inputs, const StudyAxis& axis);
 
-/// What stands first in a row of a table: a name or a reference; else its number ("row 3").
+/// The words for a row of a table: the name or reference that stands first in it, else its number ("row 3").
 Message row_words(const SetupTable& table, std::size_t row);
 
-/// Writes the varied number(s) into `varied`, which is the set-up `base` otherwise. `value` in the axis'
+/// Writes the varied number(s) into `varied`, which is the set-up `base` otherwise. `value` is in the axis'
 /// unit.
 void vary_setup(const StudyTarget& target, const StudyAxis& axis, double value, const Setup& base,
                 Setup& varied);
 void vary_inputs(const StudyTarget& target, const StudyAxis& axis, double value, InputSet& inputs);
 
-/// Everything that can be varied: a name in the words of the schemas, and an axis with target, unit and a
-/// range about the present value filled in.
+/// A number that can be varied: a name in the words of the schemas, and an axis with target, unit and a range
+/// about the present value filled in.
 struct StudyTargetChoice {
     StudyTarget target;
     StudyAxis axis;
@@ -67,11 +68,11 @@ struct StudyTargetChoice {
 std::vector<StudyTargetChoice> study_targets(const Project& project, const AnalysisEntry& analysis,
                                              const InputSet* inputs);
 
-/// Problems of the studies of one analysis, paths relative to it ("/studies/0/axes/1/target"). `outputs` and
-/// `inputs` are null when the model could not be made.
+/// Reports problems of the studies of one analysis, with paths relative to it ("/studies/0/axes/1/target").
+/// `outputs` and `inputs` are null when the model could not be made.
 void check_studies(const Project& project, const AnalysisEntry& analysis, const InputSet* inputs,
                    const std::vector<OutputQuantity>* outputs, Problems& problems);
-/// Of an axis, and of an output that is looked at.
+/// Reports problems of an axis, and of an output that is looked at.
 void check_study_axis(const Project& project, const AnalysisEntry& analysis, const InputSet* inputs,
                       const StudyAxis& axis, const std::string& path, Problems& problems);
 void check_study_output(const std::vector<OutputQuantity>* outputs, const StudyOutput& wanted,

@@ -9,7 +9,7 @@ namespace covaria {
 
 namespace {
 
-// What becomes of a number given in `unit`.
+// The number that the axis makes of one given in `unit`.
 double varied_number(const StudyAxis& axis, double value, double base, const Unit& unit) {
     switch (axis.change) {
         case StudyChange::factor:

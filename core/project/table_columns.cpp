@@ -12,7 +12,7 @@ namespace {
 
 struct Header {
     std::string name;
-    std::string unit;  // empty: none written
+    std::string unit;  // empty where none is written
 };
 
 std::string trimmed(const std::string& text) {

@@ -12,7 +12,7 @@ struct Typed {
     std::optional<Unit> unit = {};
 };
 
-/// "1,5", "1.5 mm"; nothing where the text is no number.
+/// The number that a text states, maybe with a unit: "1,5", "1.5 mm"; nothing where the text is no number.
 std::optional<Typed> typed_in(const Json& given) {
     if (!given.is_string()) return std::nullopt;
     const std::string text = given.get<std::string>();

@@ -1,4 +1,5 @@
-// What a project file is to say where it says something of another kind, as far as that can be seen.
+// Advice on the text that a project file should have in place of a value of another kind, as far as that can
+// be seen.
 #pragma once
 
 #include "core/project/object_reader.h"

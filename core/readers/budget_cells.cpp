@@ -21,7 +21,7 @@ bool holds_figure(const WorkbookCell& cell) {
     return cell.number || !cell.failure.empty() || figure_in_text(cell.text) || divisor_in_text(cell.text);
 }
 
-/// Rows with a value or an uncertainty, down to the sums.
+/// Rows with a value or an uncertainty, down to the first row of sums.
 std::vector<int> rows_with_figures(const BudgetCells& cells) {
     std::vector<int> rows;
     for (const auto& [row, ignored] : cells.place().sheet->rows) {
@@ -33,7 +33,7 @@ std::vector<int> rows_with_figures(const BudgetCells& cells) {
     return rows;
 }
 
-/// As people would type them: "quantity,value [mm],?,u".
+/// The columns as people would type them: "quantity,value [mm],?,u".
 std::string typed_columns(const SheetBudget& place, int last) {
     std::string words;
     for (int column = place.sheet->first_column(); column <= last; ++column) {
@@ -175,7 +175,8 @@ Result<NotedComponent> component_of(const BudgetCells& cells, int row, const Uni
 Result<void> check_no_column_is_dropped(const BudgetCells& cells) {
     const SheetBudget& place = cells.place();
     const std::vector<int> rows = rows_with_figures(cells);
-    std::map<int, std::pair<bool, bool>> unread;  // by column: has a figure; all that it has are units
+    // Whether each column has a figure, and whether all in it are units.
+    std::map<int, std::pair<bool, bool>> unread;
     for (const int row : rows)
         for (const auto& [column, cell] : place.sheet->rows.at(row)) {
             const auto head = std::find(place.columns.begin(), place.columns.end(), column);
@@ -192,7 +193,7 @@ Result<void> check_no_column_is_dropped(const BudgetCells& cells) {
     for (const auto& [row, in_row] : place.sheet->rows) last = std::max(last, in_row.rbegin()->first);
     for (const auto& [column, holds] : unread) {
         const WorkbookCell* head = place.sheet->cell(place.head_row, column);
-        if (!holds.first && !holds.second && !head) continue;  // a remark beside the budget
+        if (!holds.first && !holds.second && !head) continue;  // the column is a remark beside the budget
         return fail(Error{ErrorCode::usage,
                           tell<"column %1%2 of sheet %3 is filled but not understood: state what each column "
                                "is, %4, with one of %5 in place of ? (- leaves the column out)">(

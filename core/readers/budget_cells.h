@@ -1,4 +1,4 @@
-// The cells of a budget in a sheet, by row and by what their column means.
+// The cells of a budget in a sheet, by row and by the meaning of their column.
 #pragma once
 
 #include <optional>
@@ -22,16 +22,16 @@ public:
     explicit BudgetCells(SheetBudget place) : place_(std::move(place)) {}
 
     const SheetBudget& place() const { return place_; }
-    /// Of the sheet, 0 where there is none.
+    /// The number of the column in the sheet, 0 where there is none.
     int column(Column wanted) const;
-    /// Null where there is no such column.
+    /// The head of the column, null where there is no such column.
     const BudgetHead* head(Column wanted) const;
     std::optional<Unit> unit_in_head(Column wanted) const;
     const WorkbookCell* cell(int row, Column wanted) const;
     std::string text(int row, Column wanted) const;
     tl::unexpected<Error> refused(int row, Column wanted, const Message& message) const;
 
-    /// A number, or a number with a unit behind it; empty where the cell is.
+    /// The number of a cell, or a number with a unit behind it; empty where the cell is.
     Result<std::optional<CellFigure>> figure(int row, Column wanted) const;
 
     bool is_uncertain(int row) const;
@@ -42,16 +42,16 @@ private:
     SheetBudget place_;
 };
 
-/// "15 nm", "±0.3", "1.5e-5": empty where it is none.
+/// The figure in words such as "15 nm", "±0.3", "1.5e-5"; empty where they are none.
 std::optional<CellFigure> figure_in_text(const std::string& words);
 
-/// The uncertainty that a row states, in `unit` where its figures have none of their own; what was concluded
-/// is said in `proposals`.
+/// The uncertainty that a row states, in `unit` where its figures have none of their own; `proposals` says
+/// what was concluded.
 Result<NotedComponent> component_of(const BudgetCells& cells, int row, const Unit& unit,
                                     Proposals& proposals);
 
-/// Error{usage}: a column that is not understood is filled in a row of the budget; words without a head
-/// above them are none.
+/// Refuses a sheet in which a column that is not understood is filled in a row of the budget; words without a
+/// head above them do not count. Error{usage}.
 Result<void> check_no_column_is_dropped(const BudgetCells& cells);
 
 }  // namespace covaria

@@ -13,14 +13,15 @@ namespace covaria {
 
 namespace {
 
-/// "half-width (a)" is no year.
+/// Whether a text is a symbol that may stand in parentheses: the a of "half-width (a)" is no year.
 bool is_symbol(const std::string& text) {
     return std::ranges::any_of(budget_symbols(),
                                [&](const BudgetSymbol& known) { return text == known.symbol; }) &&
            text != "%";
 }
 
-/// "u(x_i) [mm]", "Value (mm)", "Value / mm", "c / (nm/K)": the unit behind, where it is one.
+/// The head without the unit behind it, where there is one: "u(x_i) [mm]", "Value (mm)", "Value / mm", "c /
+/// (nm/K)".
 BudgetHead with_unit_behind(const std::string& header) {
     BudgetHead head{.word = plain_name(header)};
     std::string& word = head.word;

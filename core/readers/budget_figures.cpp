@@ -16,10 +16,10 @@ namespace {
 
 struct Shape {
     const char* statement;
-    double divisor;  ///< half-width to standard uncertainty; 0: normal
+    double divisor;  ///< ratio of half-width to standard uncertainty; 0: normal
 };
 
-/// By the beginning of what people call it, in small letters.
+/// The shape of a distribution by the beginning of what people call it, in small letters.
 std::optional<Shape> shape_of(const std::string& words) {
     std::string lower;
     for (const char c : words) lower += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));

@@ -1,4 +1,4 @@
-// A row of headers, or the columns that are stated.
+// The place of a budget: a row of headers, or the columns that are stated.
 #include "core/readers/budget_place.h"
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace covaria {
 
 namespace {
 
-constexpr int heads_within = 300;  // rows
+constexpr int heads_within = 300;  // rows that heads are looked for in
 
 std::vector<std::string> sheet_names(const std::vector<WorkbookSheet>& sheets) {
     std::vector<std::string> names;
@@ -20,8 +20,8 @@ std::vector<std::string> sheet_names(const std::vector<WorkbookSheet>& sheets) {
     return names;
 }
 
-/// Units and coverage factors behind the headers count where the stated columns have none; a column that is
-/// stated to be as its header says is.
+/// Takes units and coverage factors behind the headers where the stated columns have none; a column that is
+/// stated to be as its header says is that.
 void take_units_of_heads(SheetBudget& place) {
     for (std::size_t i = 0; i < place.heads.size(); ++i) {
         const WorkbookCell* cell = place.sheet->cell(place.head_row, place.columns[i]);
@@ -36,8 +36,8 @@ void take_units_of_heads(SheetBudget& place) {
     }
 }
 
-/// Words that mean something else beside others: a source where nothing else names the quantity, a quantity
-/// beside its symbol.
+/// Settles words that mean something else beside others: a source where nothing else names the quantity, a
+/// quantity beside its symbol.
 void read_heads_together(std::vector<BudgetHead>& heads) {
     const auto count = [&](BudgetColumn column) {
         return std::count_if(heads.begin(), heads.end(),
@@ -60,7 +60,7 @@ Result<SheetBudget> stated_place(const WorkbookSheet& sheet, const ReadChoice& c
     const int first = sheet.first_column();
     SheetBudget place{&sheet, 0, std::move(*heads), {}};
     for (std::size_t i = 0; i < place.heads.size(); ++i) place.columns.push_back(first + static_cast<int>(i));
-    // Columns that are as their headers say have them in the row that makes a budget.
+    // Columns that are as their headers say have these in the row that makes a budget.
     const bool by_heads = std::any_of(place.heads.begin(), place.heads.end(),
                                       [](const BudgetHead& head) { return !head.understood; });
     if (const auto found = by_heads ? budget_in(sheet) : std::nullopt) {

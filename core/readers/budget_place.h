@@ -1,4 +1,4 @@
-// Where the uncertainty budget is in a workbook.
+// The place of the uncertainty budget in a workbook.
 #pragma once
 
 #include <optional>
@@ -10,19 +10,19 @@
 
 namespace covaria {
 
-/// Where the budget of a sheet is.
+/// The place of the budget in a sheet.
 struct SheetBudget {
     const WorkbookSheet* sheet = nullptr;
-    int head_row = 0;  ///< rows below are the budget
+    int head_row = 0;  ///< row of the headers, above the rows of the budget
     std::vector<BudgetHead> heads = {};
-    std::vector<int> columns = {};  ///< of the sheet, one for each head
+    std::vector<int> columns = {};  ///< columns of the sheet, one for each head
 };
 
-/// By its row of headers; empty where there is none.
+/// The budget of a sheet by its row of headers; empty where there is none.
 std::optional<SheetBudget> budget_in(const WorkbookSheet& sheet);
 
-/// Of the sheet and columns that the choice states, else the only one with headers; refused where that leaves
-/// none or several. `sheets` must live as long as the place.
+/// The budget of the sheet and columns that the choice states, else the only one with headers; refused where
+/// that leaves none or several. `sheets` must live as long as the place.
 Result<SheetBudget> budget_place(const std::vector<WorkbookSheet>& sheets, const ReadChoice& choice);
 
 }  // namespace covaria

@@ -386,7 +386,8 @@ constexpr BudgetWord known_words[] = {
     {Column::unread, "pt", "porcentagem"},
     {Column::unread, "pt", "percentagem"}};
 
-/// Letters with marks, by the letter below; those that are written with two letters without them.
+/// Signs and the plain letters that they are compared as: letters with marks, ligatures, quotation marks,
+/// dashes.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 14> letters_below{{{"àáâãäåÀÁÂÃÄÅ", "a"},
                                                                                        {"çÇ", "c"},
                                                                                        {"èéêëÈÉÊË", "e"},
@@ -414,7 +415,7 @@ std::string folded_letter(std::string_view letter) {
         return std::string(
             1, std::isalnum(c) || c == '%' || c == '#' ? static_cast<char>(std::tolower(c)) : ' ');
     }
-    // U+0300 to U+036F: marks of their own behind the letter.
+    // The marks U+0300 to U+036F stand behind their letter.
     if (letter >= "\xCC\x80" && letter <= "\xCD\xAF") return {};
     for (const auto& [marked, below] : letters_below)
         for (std::string_view rest = marked; !rest.empty(); rest.remove_prefix(letter_length(rest)))
@@ -422,7 +423,8 @@ std::string folded_letter(std::string_view letter) {
     return std::string(letter);
 }
 
-/// "groesse" is "größe"; both sides are treated alike, so that "value" and "valu" do no harm.
+/// The word without the second letter of vowels that are written with two: "groesse" is "größe". Both sides
+/// of a comparison are treated alike, so that "value" and "valu" do no harm.
 std::string without_two_letter_vowels(const std::string& word) {
     std::string plain;
     for (const char c : word)
@@ -432,7 +434,7 @@ std::string without_two_letter_vowels(const std::string& word) {
     return plain;
 }
 
-/// "|c_i| · u(x_i)" -> "ciu(xi)"
+/// The symbol without bars, signs of multiplication and the sign of its index: "ciu(xi)" of "|c_i| · u(x_i)".
 std::string bare_symbol(const std::string& text) {
     std::string bare;
     for (std::string_view rest = text; !rest.empty(); rest.remove_prefix(letter_length(rest))) {
@@ -455,7 +457,7 @@ const BudgetSymbol* symbol_in(const std::string& text) {
     return found == budget_symbols().end() ? nullptr : &*found;
 }
 
-/// Words that say nothing about what a column is.
+/// Words that do not tell the meaning of a column.
 bool is_filler(const std::string& folded) {
     static const std::set<std::string> fillers = [] {
         std::set<std::string> all;
@@ -478,7 +480,7 @@ struct FoldedWord {
     std::vector<std::string> parts;
 };
 
-/// Longest first: "contribution to the standard uncertainty" before "standard uncertainty".
+/// The known words, longest first: "contribution to the standard uncertainty" before "standard uncertainty".
 const std::vector<FoldedWord>& folded_table() {
     static const std::vector<FoldedWord> table = [] {
         std::vector<FoldedWord> all;
@@ -495,7 +497,7 @@ struct Found {
     std::set<Column> strong, weak;
 };
 
-/// The known word at `at`, and behind it.
+/// The known word that begins at `at`; null where none does.
 const FoldedWord* word_at(const std::vector<std::string>& words, std::size_t at) {
     for (const FoldedWord& known : folded_table())
         if (at + known.parts.size() <= words.size() &&
@@ -505,10 +507,10 @@ const FoldedWord* word_at(const std::vector<std::string>& words, std::size_t at)
     return nullptr;
 }
 
-/// False where a word is not known.
+/// Finds the words of a text; false where one is not known.
 bool find_words(const std::string& text, Found& found) {
     const std::vector<std::string> words = folded_words(text);
-    // Symbols of one letter need it as it was written: "U" is not "u".
+    // Symbols of one letter count as they were written: "U" is not "u".
     std::string as_written;
     for (const char c : text) as_written += std::isspace(static_cast<unsigned char>(c)) || c == '-' ? ' ' : c;
     std::set<std::string> letters;
@@ -538,7 +540,8 @@ bool find_words(const std::string& text, Found& found) {
     return true;
 }
 
-/// Likewise, with symbols of several letters among them: "estimate x_i".
+/// Finds the words of a head with symbols of several letters among them: "estimate x_i"; false where one is
+/// not known.
 bool find_words_and_symbols(const std::string& head, Found& found) {
     std::string words;
     for (std::size_t begin = 0; begin < head.size();) {
@@ -573,9 +576,9 @@ std::optional<HeadMeaning> meaning_of_head(const std::string& head) {
     if (const BudgetSymbol* whole = symbol_in(head)) return HeadMeaning{whole->column};
     Found found;
     if (!find_words(head, found) && !find_words_and_symbols(head, found = {})) return std::nullopt;
-    // "Variance contribution", "contribution %": a share.
+    // A share is headed "Variance contribution" or "contribution %".
     if (found.strong == std::set{Column::contribution, Column::unread}) return HeadMeaning{Column::unread};
-    // The unit of the uncertainty only is not that of the estimate.
+    // The unit of the uncertainty alone is not that of the estimate.
     if (found.strong.contains(Column::unit) && found.weak.contains(Column::expanded)) return std::nullopt;
     if (found.strong.size() == 1) return HeadMeaning{*found.strong.begin()};
     if (found.strong.size() > 1) return std::nullopt;

@@ -12,10 +12,11 @@
 namespace covaria {
 
 struct BudgetWord {
-    BudgetColumn column;   ///< `unread`: known, and not needed (serial numbers, shares in percent)
-    const char* language;  ///< ISO 639-1
-    const char* words;     ///< in small letters
-    bool weak = false;     ///< gives way to what else the head says: "value" in "value ±"
+    /// Column of the words; `unread`: known, and not needed (serial numbers, shares in percent).
+    BudgetColumn column;
+    const char* language;  ///< language by ISO 639-1
+    const char* words;     ///< words in small letters
+    bool weak = false;     ///< whether it gives way to what else the head says: "value" in "value ±"
 };
 std::span<const BudgetWord> budget_words();
 
@@ -25,11 +26,12 @@ struct BudgetSymbol {
 };
 std::span<const BudgetSymbol> budget_symbols();
 
-/// Capitals, accents and their spellings without (ä, ae), marks and the s of plurals do not count.
+/// The words of a text as they are compared: capitals, accents and their spellings without (ä, ae), marks and
+/// the s of plurals do not count.
 std::vector<std::string> folded_words(const std::string& text);
 
-/// What all the words and symbols of a head say together. Empty: one of them is not known, or they say two
-/// things; nothing is concluded from a part of a head.
+/// The meaning of all the words and symbols of a head together. It is empty where one of them is not known,
+/// or they say two things; nothing is concluded from a part of a head.
 struct HeadMeaning {
     BudgetColumn column = BudgetColumn::unread;
     bool weak = false;

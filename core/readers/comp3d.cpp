@@ -21,7 +21,7 @@ namespace covaria {
 
 namespace {
 
-/// A line without what follows the sign of comment.
+/// A line without the comment behind its sign.
 std::string_view without_comment(std::string_view line) {
     return line.substr(0, line.find('*'));
 }
@@ -30,7 +30,7 @@ bool is_code(const std::string& cell) {
     return cell == "-1" || (cell.size() == 1 && cell[0] >= '0' && cell[0] <= '9');
 }
 
-/// code name x y z [sx sy sz] [eta xi]
+/// Whether a line of so many cells is one of: code name x y z [sx sy sz] [eta xi].
 bool is_width(std::size_t cells) {
     return cells == 5 || cells == 7 || cells == 8 || cells == 10;
 }
@@ -274,7 +274,8 @@ private:
         return {};
     }
 
-    /// Two observations of 0; a negative standard deviation switches one off, a second one of 0 is the first.
+    /// Adds a centring, which is two observations of 0; a negative standard deviation switches one off, and
+    /// where the second is 0 it is the first.
     Result<void> add_centring(const std::string& between, const std::array<double, 5>& figures, int number) {
         const double second = figures[2] == 0.0 ? figures[1] : figures[2];
         for (const auto& [axis, u] : {std::pair("x", figures[1]), std::pair("y", second)}) {

@@ -59,7 +59,7 @@ struct FormInName {
     const char* form;
 };
 
-/// NIST names its files by the form; others say nothing.
+/// The form that a file of NIST names; names of other files say nothing.
 std::string form_of(const std::string& name, std::size_t points, Proposals& proposals) {
     static constexpr FormInName forms[] = {{"lin", "line"},   {"pla", "plane"},    {"cir", "circle"},
                                            {"sph", "sphere"}, {"cyl", "cylinder"}, {"con", "cone"}};

@@ -13,7 +13,7 @@ Result<TakenCovariance> take_covariance(const Eigen::MatrixXd& covariance) {
     const Eigen::MatrixXd r = inverse.asDiagonal() * covariance * inverse.asDiagonal();
     if (!r.allFinite() || (r - r.transpose()).cwiseAbs().maxCoeff() > 1e-6)
         return fail(ErrorCode::bad_input, tell<"its covariance matrix is not symmetric">());
-    // Figures are rounded when they are written.
+    // The eigenvalues may be a little below 0, because figures are rounded when they are written.
     if (Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(r, Eigen::EigenvaluesOnly).eigenvalues().minCoeff() <
         -1e-6)
         return fail(ErrorCode::bad_input,

@@ -11,10 +11,11 @@ namespace covaria {
 
 struct TakenCovariance {
     Eigen::VectorXd u;                            ///< square roots of the diagonal
-    std::vector<StatedCorrelation> correlations;  ///< first < second; zeros are left out
+    std::vector<StatedCorrelation> correlations;  ///< pairs with first < second; zeros are left out
 };
 
-/// Error: not symmetric, not finite, a variance of a component or of some combination is negative.
+/// The standard uncertainties and correlations of a covariance matrix. Error: it is not symmetric or not
+/// finite, or a variance of a component or of some combination is negative.
 Result<TakenCovariance> take_covariance(const Eigen::MatrixXd& covariance);
 
 }  // namespace covaria

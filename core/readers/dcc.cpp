@@ -17,7 +17,7 @@ namespace {
 constexpr const char* length_standard_kind_id = "length-standard";
 constexpr std::size_t most_length_standards = 20;
 
-/// What a quantity is called in full: "mass: nominal value".
+/// The full name of a quantity: "mass: nominal value".
 std::string name_in(const std::string& result, const std::string& quantity) {
     return result.empty() || result == quantity ? quantity : result + ": " + quantity;
 }
@@ -77,7 +77,7 @@ private:
             proposals_.leave_out(0, tell<"the stated unit of lengths: a certificate states its units">());
     }
 
-    /// Empty for what is no date.
+    /// The date in an element; empty where it is none.
     static std::string date_in(const pugi::xml_node& core, const char* name) {
         const std::string text = plain_name(text_of_child(core, name)).substr(0, 10);
         return date_of(text) ? text : std::string();
@@ -140,8 +140,8 @@ private:
         return {};
     }
 
-    /// A length with an uncertainty may be a standard; errors of indication, limits and nominal values are
-    /// none.
+    /// Proposes a length with an uncertainty, which may be a standard; errors of indication, limits and
+    /// nominal values are none.
     void propose_length(const DccQuantity& quantity, const StatedQuantity& q, const std::string& result) {
         if (q.unit.dimension() != Unit::of("m").dimension() || !(q.value > 0.0) || !q.a) return;
         for (const char* word : {"Error", "Limit", "nominal", "orrection", "eviation"})

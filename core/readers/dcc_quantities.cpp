@@ -53,8 +53,8 @@ private:
         return {};
     }
 
-    /// Of the same value in several units the first with an uncertainty and a known unit, else with a known
-    /// unit.
+    /// The value to take of the same one in several units: the first with an uncertainty and a known unit,
+    /// else the first with a known unit.
     xml_node best_of(const xml_node& hybrid) {
         xml_node best, any;
         std::size_t values = 0;
@@ -80,7 +80,7 @@ private:
         return refused(node, tell<"%1 %2 is no number">(what, in_quotes(plain_name(text))));
     }
 
-    /// False where the unit is not known, which is said.
+    /// Adds a value; where its unit is not known, says so and returns false.
     Result<bool> add(const xml_node& node, const std::string& value, const std::string& unit,
                      const std::string& label) {
         const auto parsed = unit_of_dsi(unit);
@@ -117,7 +117,7 @@ private:
         return {};
     }
 
-    /// A vector: values with labels, a unit for all, and a covariance matrix or uncertainties of each.
+    /// Reads a vector: values with labels, a unit for all, and a covariance matrix or uncertainties of each.
     Result<void> read_vector(const xml_node& list) {
         const xml_node inner = child_called(list, "realList");
         const xml_node vector = inner ? inner : list;
@@ -149,7 +149,8 @@ private:
 
     Result<void> read_covariance(const xml_node& matrix) {
         const auto n = static_cast<Eigen::Index>(quantity_.values.size());
-        if (n > static_cast<Eigen::Index>(most_stated_quantities)) return {};  // said by who counts them
+        // The caller says so, who counts them.
+        if (n > static_cast<Eigen::Index>(most_stated_quantities)) return {};
         Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(n, n);
         Eigen::Index column = 0, count = 0;
         for (const xml_node& c : matrix.children()) {

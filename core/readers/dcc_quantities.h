@@ -10,7 +10,7 @@
 
 namespace covaria {
 
-/// Values of one <quantity>: one, or those of a list; symbols are empty.
+/// The values of one <quantity>: a single one, or those of a list; their symbols are empty.
 struct DccQuantity {
     int line = 0;
     std::string name, ref_type;
@@ -19,13 +19,14 @@ struct DccQuantity {
     std::vector<StatedCorrelation> correlations = {};
 };
 
-/// Reads hybrid values in their first unit that is known. What is not read goes to `left_out`, with its line:
-/// texts, complex values, unknown units, coverage intervals (their standard uncertainty is taken).
-/// Error with line and column: a value or an uncertainty that is no number, lists of different lengths.
+/// Reads a quantity, hybrid values in their first unit that is known. Parts that are not read go to
+/// `left_out`, with their lines: texts, complex values, unknown units, coverage intervals (their standard
+/// uncertainty is taken). Error with line and column: a value or an uncertainty that is no number, lists of
+/// different lengths.
 Result<DccQuantity> read_dcc_quantity(const XmlText& xml, const pugi::xml_node& quantity,
                                       Proposals& proposals);
 
-/// The name in English if there is one, else in the first language.
+/// The English name of an element if it has one, else its name in the first language.
 std::string dcc_name(const pugi::xml_node& node);
 
 }  // namespace covaria

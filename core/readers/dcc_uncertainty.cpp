@@ -26,12 +26,13 @@ bool states_uncertainty(std::string_view name) {
            name == "coverageInterval" || name == "coverageIntervalMU";
 }
 
-/// Directly in a value, or in the element that D-SI 2 puts around it, whose name is misspelt in 2.2.0.
+/// The statement of uncertainty in a value: directly, or in the element that D-SI 2 puts around it, whose
+/// name is misspelt in 2.2.0.
 pugi::xml_node statement_in(const pugi::xml_node& value) {
     for (const pugi::xml_node& child : value.children()) {
         if (states_uncertainty(local_name(child))) return child;
         const std::string_view name = local_name(child);
-        // "list...": of all values of a list together.
+        // A name "list..." is that of an element for all values of a list together.
         if (!name.starts_with("measurementUncertaintyUniva") &&
             !name.starts_with("listMeasurementUncertainty") && !name.starts_with("listUnivariateUnc"))
             continue;
@@ -46,7 +47,7 @@ Result<double> figure(const std::string& text, const std::string& what) {
     return fail(ErrorCode::bad_input, tell<"%1 %2 is no number">(what, in_quotes(plain_name(text))));
 }
 
-/// U with k, or with p.
+/// States U with k, or with p.
 Result<void> state_expanded(const std::string& expanded, const std::string& factor,
                             const std::string& probability, StatedQuantity& q, Remarks& remarks) {
     const auto value = figure(expanded, "the expanded uncertainty");

@@ -15,7 +15,7 @@ bool is_comment(std::string_view line) {
     const std::size_t first = line.find_first_not_of(blanks);
     if (first == std::string_view::npos) return false;
     line.remove_prefix(first);
-    // "sep=;" is how Excel is told the separator.
+    // The text "sep=;" tells Excel the separator.
     return line[0] == '#' || line[0] == '!' || line.starts_with("//") ||
            (line.starts_with("sep=") && line.find_last_not_of(blanks) <= 4);
 }
@@ -51,8 +51,8 @@ bool has_decimal_commas(std::string_view line) {
     return words.size() >= 3 && std::all_of(words.begin(), words.end(), has_one_at_most);
 }
 
-/// A tab between words, not behind blanks that align them: where there are both, at least two tabs, none
-/// beside a blank.
+/// Whether tabs stand between words, not behind blanks that align them: where there are both, at least two
+/// tabs, none beside a blank.
 bool has_tabs(std::string_view line) {
     line = line.substr(std::min(line.find_first_not_of(blanks), line.size()));
     line = line.substr(0, line.find_last_not_of(blanks) + 1);
@@ -103,7 +103,7 @@ std::vector<std::string> blank_separated(std::string_view line) {
         const std::size_t begin = quoted ? at + 1 : at;
         const std::size_t end =
             std::min(quoted ? line.find('"', begin) : line.find_first_of(blanks, begin), line.size());
-        if (cells.size() > most_csv_columns) break;  // refused by who scans
+        if (cells.size() > most_csv_columns) break;  // the caller that scans refuses them
         cells.emplace_back(line.substr(begin, end - begin));
         at = quoted ? end + 1 : end;
     }
@@ -130,7 +130,7 @@ Result<void> scan_table(std::string_view text, const DelimitedText& format, std:
 std::vector<std::string> first_cells(std::string_view text, const DelimitedText& format) {
     std::vector<std::string> cells;
     std::size_t comments = 0;
-    // What cannot be read is said when the whole file is.
+    // Problems of the text are reported when the whole file is read.
     static_cast<void>(scan_table(text, format, comments, [&](CsvRow&& row) {
         cells = std::move(row.cells);
         return false;

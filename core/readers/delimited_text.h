@@ -11,24 +11,25 @@
 namespace covaria {
 
 struct DelimitedText {
-    char separator = ',';  ///< ' ': any number of blanks
+    char separator = ',';  ///< the separator; ' ' stands for any number of blanks
     bool decimal_comma = false;
-    Message words() const;  ///< "columns between semicolons"
+    Message words() const;  ///< in words: "columns between semicolons"
 };
 
-/// From the first line with content: tab before semicolon before comma before blanks. Commas between digits
-/// in a line of blanks are decimal ones.
+/// The format by the first line with content: tab before semicolon before comma before blanks. Commas between
+/// digits in a line of blanks are decimal ones.
 DelimitedText delimited_text_of(std::string_view text);
 
-/// Lines with content, as `scan_csv`; those that begin with '#', '!' or '//', and "sep=;", are counted
-/// instead.
+/// Scans lines with content as `scan_csv` does; lines that begin with '#', '!' or '//', and "sep=;", are
+/// counted instead.
 Result<void> scan_table(std::string_view text, const DelimitedText& format, std::size_t& comments,
                         const TakeCsvRow& take);
 
 /// The cells of the first line with content; empty where there is none.
 std::vector<std::string> first_cells(std::string_view text, const DelimitedText& format);
 
-/// Words between blanks; what stands in double quotes is one. Not more than `most_csv_columns` + 1 of them.
+/// The words between blanks, of which one in double quotes may hold blanks; not more than `most_csv_columns`
+/// + 1 of them.
 std::vector<std::string> blank_separated(std::string_view line);
 
 }  // namespace covaria

@@ -79,7 +79,7 @@ std::string_view symbol_in(const std::array<NamePair, N>& names, std::string_vie
     return {};
 }
 
-/// "\tothe{-2}" -> "tothe" and "-2".
+/// A command and its argument: "tothe" and "-2" of "\tothe{-2}".
 struct Command {
     std::string_view name, argument;
 };
@@ -122,7 +122,8 @@ std::string typed_unit(const std::vector<Factor>& factors) {
            (below.find('*') == std::string::npos ? below : "(" + below + ")");
 }
 
-/// Sums powers of the same symbol: what others write as kg*kg^-1 is the unit one.
+/// Adds a factor, whose power is summed with that of the same symbol: a product that others write as kg*kg^-1
+/// is the unit one.
 void add_factor(std::vector<Factor>& factors, Factor factor) {
     for (Factor& known : factors)
         if (known.symbol == factor.symbol) {
@@ -172,7 +173,7 @@ Result<std::string> typed_text(const std::vector<Command>& commands) {
     return typed_unit(factors);
 }
 
-/// "\\name" of a symbol with or without a prefix; empty: the D-SI has none.
+/// The name "\\name" of a symbol with or without a prefix; empty where the D-SI has none.
 std::string dsi_name(std::string_view symbol) {
     for (const NamePair& unit : unit_names)
         if (unit.second == symbol) return "\\" + std::string(unit.first);
@@ -188,9 +189,9 @@ std::string to_the(int power) {
     return power == 1 ? "" : "\\tothe{" + std::to_string(power) + "}";
 }
 
-/// Of a unit as `Unit` writes it: factors with powers between '*', blanks and '/', the latter for one
-/// factor or a parenthesis. Empty: a factor without a name. Who asks reads it back, so that nothing depends
-/// on this grammar.
+/// The D-SI text of a unit as `Unit` writes it: factors with powers between '*', blanks and '/', the latter
+/// for one factor or a parenthesis. It is empty where a factor has no name. Callers read it back, so that
+/// nothing depends on this grammar.
 std::string dsi_text_of(std::string_view text) {
     std::string out;
     bool below = false, in_parenthesis = false;
@@ -218,7 +219,7 @@ std::string dsi_text_of(std::string_view text) {
     return out.empty() ? "\\one" : out;
 }
 
-/// The coherent SI unit of a dimension.
+/// The D-SI text of the coherent SI unit of a dimension.
 std::string dsi_text_of(const Dimension& dimension) {
     constexpr std::array<const char*, 8> base{"\\metre",  "\\kilogram", "\\second",  "\\ampere",
                                               "\\kelvin", "\\mole",     "\\candela", "\\radian"};

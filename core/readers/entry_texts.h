@@ -1,4 +1,4 @@
-// Ids and tables of what is proposed.
+// Ids and tables of proposals.
 #pragma once
 
 #include <initializer_list>
@@ -9,13 +9,14 @@
 
 namespace covaria {
 
-/// "Arm X (5).txt" -> "arm-x-5-txt"; `otherwise` where nothing is left. At most 60 characters.
+/// The id made of a name, at most 60 characters: "arm-x-5-txt" of "Arm X (5).txt"; `otherwise` where nothing
+/// is left.
 std::string id_of(const std::string& name, const std::string& otherwise);
-/// Without marks of control, invalid UTF-8 replaced by '?', one blank between words.
+/// The text without marks of control, invalid UTF-8 replaced by '?', with one blank between words.
 std::string plain_line(const std::string& text);
 /// A name as a field takes it: a plain line of at most 200 bytes.
 std::string plain_name(const std::string& name);
-/// "Certificate 12.xml" -> "Certificate 12".
+/// The file's name without its ending: "Certificate 12" of "Certificate 12.xml".
 std::string without_ending(const std::string& file_name);
 
 /// Rows of a table by the keys of its columns; cells that are not named stay empty.

@@ -23,7 +23,7 @@ namespace {
 constexpr int most_shown_columns = 40;
 constexpr double no_constant = 1e-13;
 
-/// What is read from which column, and which columns are left out.
+/// Says which meaning is read from which column, and which columns are left out.
 void say_columns(const SheetBudget& place, Proposals& proposals) {
     std::string words;
     for (std::size_t i = 0; i < place.heads.size(); ++i) {
@@ -108,7 +108,7 @@ private:
         return add(row, symbol, name, uncertain, valued);
     }
 
-    /// The row of the result, or of sums, ends the budget.
+    /// Ends the budget with the row of the result, or of sums.
     Result<void> end_with(int row, bool result) {
         ended_ = true;
         if (!result) {
@@ -131,7 +131,8 @@ private:
         return {};
     }
 
-    /// In its own column, behind the value, or in the head; one where nothing says it.
+    /// The unit of a row: in its own column, behind the value, or in the head; the unit one where nothing
+    /// says it.
     Result<Unit> unit_of_row(int row, const std::optional<CellFigure>& value, const std::string& label) {
         const std::string words = cells_.text(row, Column::unit);
         if (!words.empty() && words != "-") {
@@ -146,8 +147,8 @@ private:
         return unstated_unit(choice_, label, cells_.text(row, Column::name), Unit(), proposals_);
     }
 
-    /// A sensitivity coefficient multiplies a difference or a reading: a value of t in degC is no product of
-    /// kelvin that starts at 0 K (SI Brochure 2.3.1).
+    /// The unit of a value that a sensitivity coefficient multiplies, which is a difference or a reading: a
+    /// value of t in degC is no product of kelvin that starts at 0 K (SI Brochure 2.3.1).
     Unit as_difference(int row, const std::string& label, const Unit& unit) {
         if (!unit.has_offset()) return unit;
         proposals_.found.push_back(
@@ -195,8 +196,8 @@ private:
         return {};
     }
 
-    /// Of the result: as stated in its row or above the contributions, else that of the quantities if they
-    /// all have one.
+    /// The unit of the result: as stated in its row or above the contributions, else that of the quantities
+    /// if they all have one.
     Result<Unit> unit_of_result() {
         if (result_unit_) return *result_unit_;
         if (const auto unit = cells_.unit_in_head(Column::contribution)) return *unit;
@@ -212,7 +213,7 @@ private:
         return unstated_unit(choice_, "result", "the result", first.interval(), proposals_);
     }
 
-    /// What the sum of c x lacks of the stated result, as a quantity of its own.
+    /// Adds the difference of the stated result from the sum of c x, as a quantity of its own.
     void add_what_is_missing(std::string& sum, double linear, double largest, const Unit& unit) {
         const double missing = result_value_ ? *result_value_ - linear : 0.0;
         if (std::abs(missing) <= no_constant * std::max(largest, std::abs(result_value_.value_or(0.0))))
@@ -302,7 +303,7 @@ std::size_t meant_sheet(const std::vector<WorkbookSheet>& sheets, const ReadChoi
     return with_budget < sheets.size() ? with_budget : 0;
 }
 
-/// Cells as people say that they are to be read.
+/// Changes cells to the texts that people say they are to be read as.
 Result<void> mend_cells(std::vector<WorkbookSheet>& sheets, const ReadChoice& choice) {
     WorkbookSheet& sheet = sheets[meant_sheet(sheets, choice)];
     for (const int row : choice.rows_left_out)
@@ -333,7 +334,7 @@ Result<Proposals> read_budget(const std::string& text, const ReadChoice& choice)
     return proposals;
 }
 
-/// All rows from the headers on, as they stand; where no headers are known, from the first row.
+/// The table of all rows from the headers on, as they stand; where no headers are known, from the first row.
 Result<SourceTable> table_of_budget(const std::string& text, const ReadChoice& choice) {
     const auto sheets = read_workbook(text);
     if (!sheets) return fail(sheets.error());

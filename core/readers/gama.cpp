@@ -27,7 +27,7 @@ constexpr std::array<const char*, 3> axis_attributes{"x", "y", "z"};
 /// Clusters of observed coordinates none of whose points is observed twice.
 struct Determination {
     int line = 0;
-    std::map<std::string, std::size_t> observed = {};  ///< points of the list
+    std::map<std::string, std::size_t> observed = {};  ///< points of the list, by name
 };
 
 Message axes_words(const pugi::xml_node& network) {
@@ -103,7 +103,7 @@ private:
         return {};
     }
 
-    /// Coordinates 0 to 2 that the element has.
+    /// The coordinates, 0 to 2 for x to z, that the element has.
     Result<std::array<std::optional<double>, 3>> coordinates_of(const pugi::xml_node& node) const {
         std::array<std::optional<double>, 3> p;
         for (std::size_t i = 0; i < 3; ++i) {
@@ -148,7 +148,7 @@ private:
         return {};
     }
 
-    /// The first in which none of the cluster's points was observed yet.
+    /// The first determination in which none of the cluster's points was observed yet.
     Determination& determination_of(const pugi::xml_node& cluster) {
         const auto has_one_of = [&](const Determination& d) {
             for (const pugi::xml_node& point : cluster.children())
@@ -161,7 +161,8 @@ private:
         return *free;
     }
 
-    /// Of a determination after the first a point of its own, which begins as the network has it.
+    /// The point of the list for an observed one; in a determination after the first it is one of its own,
+    /// which begins as the network has it.
     std::size_t place_in(Determination& determination, const std::string& id, int line) {
         if (const auto own = determination.observed.find(id); own != determination.observed.end())
             return own->second;
@@ -178,8 +179,8 @@ private:
         return determination.observed[id] = place;
     }
 
-    /// Two determinations of one point are two results, of which people keep both or choose one: each has an
-    /// artefact of its own, with the points that nobody observed.
+    /// Gives each determination an artefact of its own, with the points that nobody observed: two
+    /// determinations of one point are two results, of which people keep both or choose one.
     void tell_determinations_apart() {
         if (determinations_.size() < 2) return;
         std::string lines;
@@ -205,11 +206,11 @@ private:
             determinations_.size(), lines));
     }
 
-    /// Observed coordinates and their covariance: the points get them in place of approximate ones.
+    /// Reads observed coordinates and their covariance; the points get them in place of approximate ones.
     Result<void> read_coordinates(const pugi::xml_node& node) {
         if (auto done = network_.take_coordinates(node); !done) return done;
         Determination& determination = determination_of(node);
-        std::vector<std::size_t> places;  // 3 * point + coordinate, in the order of the matrix
+        std::vector<std::size_t> places;  // indices 3 * point + coordinate, in the order of the matrix
         for (const pugi::xml_node& point : node.children()) {
             if (local_name(point) != "point") continue;
             const auto p = coordinates_of(point);
@@ -258,14 +259,15 @@ private:
     std::map<std::string, std::size_t> index_;
     std::vector<Determination> determinations_;
     std::map<std::string, ListedPoint> begun_;           ///< observed points as they were before
-    std::map<std::string, std::pair<int, int>> others_;  ///< element -> first line, how many
+    std::map<std::string, std::pair<int, int>> others_;  ///< first line and number of each other element
     GamaNetwork network_;
-    std::vector<std::pair<int, Message>> unplaced_coordinates_;  ///< what a list of points cannot hold
+    /// Remarks on coordinates that a list of points cannot hold.
+    std::vector<std::pair<int, Message>> unplaced_coordinates_;
     std::size_t unplaced_ = 0, planar_ = 0, approximate_ = 0;
     int unplaced_line_ = 0;
 };
 
-/// What gama-local found: coordinates of its points, fixed and adjusted ones, in metres.
+/// Reader of the result of gama-local: coordinates of its points, fixed and adjusted ones, in metres.
 class AdjustedGamaReader {
 public:
     AdjustedGamaReader(const XmlText& xml, const ReadChoice& choice) : xml_(xml) {
@@ -282,7 +284,8 @@ public:
         for (const char* part : {"fixed", "adjusted"})
             for (const pugi::xml_node& point : child_called(coordinates, part).children())
                 if (auto done = read_point(point, *part == 'a'); !done) return fail(done.error());
-        // Planar networks have no z; a point of a levelling has nothing else.
+        // Points without x and y are refused: planar networks have no z, but a point of a levelling has
+        // nothing else.
         std::erase_if(has_, [](const auto& point) { return point.second[0] && point.second[1]; });
         if (!has_.empty() || places_.empty())
             return xml_.refused(coordinates ? coordinates : xml_.root(),
@@ -325,7 +328,7 @@ private:
         return {};
     }
 
-    /// Reads the matrix in mm², coordinates first, then what orients the directions.
+    /// Reads the matrix in mm², coordinates first, then orientations of the directions.
     Result<void> read_matrix(const pugi::xml_node& node) {
         const auto dim = number_in_text(text_of_child(node, "dim")),
                    band = number_in_text(text_of_child(node, "band"));
@@ -362,8 +365,9 @@ private:
     Proposals proposals_;
     PointList list_;
     std::map<std::string, std::size_t> index_;
-    std::map<std::string, std::array<bool, 3>> has_;  ///< the coordinates that a point has
-    std::vector<std::size_t> places_;  ///< 3 * point + coordinate of those adjusted, in the order of the file
+    std::map<std::string, std::array<bool, 3>> has_;  ///< coordinates that each point has
+    /// Indices 3 * point + coordinate of adjusted ones, in the order of the file.
+    std::vector<std::size_t> places_;
 };
 
 Recognition recognise_gama(std::string_view beginning, const std::string&) {

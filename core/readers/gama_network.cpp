@@ -19,7 +19,7 @@ bool contains_any(const std::string& text, const char* letters) {
     return text.find_first_of(letters) != std::string::npos;
 }
 
-/// Of the two attributes of a point; capital letters are points of the datum.
+/// The role that the two attributes of a point give it; capital letters stand for points of the datum.
 std::string role_of(const std::string& fix, const std::string& adj, const char* small, const char* capital) {
     if (contains_any(fix, small) || contains_any(fix, capital)) return "fixed";
     if (contains_any(adj, capital)) return "datum";
@@ -34,13 +34,15 @@ bool of_height(const std::string& kind) {
            kind == "zenith-angle";
 }
 
-/// Gama weighs the absolute terms of angles before it tests them: by so much more they may miss.
+/// The limit of gross errors, m. Gama weighs the absolute terms of angles before it tests them, so they may
+/// miss by more in that ratio.
 double gross_limit(const GamaParameters& parameters, double least_u_of_angle) {
     const double weight = 1e4 * least_u_of_angle / parameters.sigma;
     return 1e-3 * parameters.tolerance * (std::isfinite(weight) ? std::max(1.0, weight) : 1.0);
 }
 
-/// What Gama leaves out is left out here too; `least_u_of_angle` in gon.
+/// Takes over the parameters, so that observations which Gama leaves out are left out here too;
+/// `least_u_of_angle` is in gon.
 void take_over(const GamaParameters& parameters, double least_u_of_angle, Setup& setup,
                Proposals& proposals) {
     const double limit = gross_limit(parameters, least_u_of_angle);
@@ -142,7 +144,7 @@ std::optional<std::string> GamaNetwork::objection(const GamaObserved& observed) 
     return {};
 }
 
-/// The bearing of north, as directions count.
+/// The bearing of north, in the sense in which directions count.
 double GamaNetwork::north() const {
     const auto along = [&](std::size_t i) { return axes_[i] == 'n' ? 1.0 : axes_[i] == 's' ? -1.0 : 0.0; };
     return clockwise_ ? std::atan2(along(0), along(1)) : std::atan2(along(1), along(0));

@@ -15,7 +15,7 @@
 
 namespace covaria {
 
-/// A point of the network: "fixed", "datum", "unknown" or "none" of its plane and its height.
+/// A point of the network; its plane and its height are each "fixed", "datum", "unknown" or "none".
 struct GamaPoint {
     std::string name;
     std::array<std::optional<double>, 3> p{};
@@ -23,11 +23,12 @@ struct GamaPoint {
     bool has(std::size_t axis) const { return (axis < 2 ? plane : height) != "none"; }
 };
 
-/// <parameters>: the unit of weights, the bound of gross absolute terms.
+/// The element <parameters>: the unit of weights, the bound of gross absolute terms.
 struct GamaParameters {
-    double sigma = 10.0, tolerance = 1000.0;  ///< a priori; in mm
+    double sigma = 10.0, tolerance = 1000.0;  ///< sigma a priori; tolerance in mm
     bool a_posteriori = true;
-    std::vector<std::pair<int, Message>> named = {};  ///< what changes results and is not taken over
+    /// Names and lines of parts that change results and are not taken over.
+    std::vector<std::pair<int, Message>> named = {};
 };
 GamaParameters gama_parameters(const XmlText& xml, const pugi::xml_node& node);
 
@@ -35,14 +36,14 @@ class GamaNetwork {
 public:
     GamaNetwork(const XmlText& xml, Proposals& proposals) : xml_(xml), proposals_(proposals) {}
 
-    /// <network>, of its axes and the sense of its angles.
+    /// Takes the axes and the sense of angles from the element <network>.
     void take_axes(const pugi::xml_node& network);
     void take_parameters(GamaParameters parameters) { parameters_ = std::move(parameters); }
     const GamaParameters& parameters() const { return parameters_; }
     void take_point(const pugi::xml_node& node, const std::array<std::optional<double>, 3>& p, bool observed);
-    /// Coordinates observed in one cluster, and their covariance in mm² where it is stated.
+    /// Takes coordinates observed in one cluster, and their covariance in mm² where it is stated.
     Result<void> take_coordinates(const pugi::xml_node& cluster);
-    /// Adds the analysis; false: nothing of the network can be adjusted, and nothing is said.
+    /// Adds the analysis; returns false, and says nothing, where nothing of the network can be adjusted.
     bool propose(const std::vector<GamaObserved>& observed,
                  const std::vector<StatedCorrelation>& correlations, const std::string& title,
                  const std::string& source);
@@ -61,13 +62,14 @@ private:
     Proposals& proposals_;
     std::vector<GamaPoint> points_;
     std::map<std::string, std::size_t> index_;
-    std::vector<GamaObserved> coordinates_;  ///< observed ones
+    std::vector<GamaObserved> coordinates_;  ///< observed coordinates
     std::vector<StatedCorrelation> of_coordinates_;
     std::vector<Row> rows_;
     std::string axes_ = "ne";
     GamaParameters parameters_;
-    double least_u_of_angle_ = std::numeric_limits<double>::infinity();  ///< in gon
-    bool clockwise_ = false;                                             ///< angles grow from y towards x
+    double least_u_of_angle_ = std::numeric_limits<double>::infinity();  ///< least u of an angle, gon
+    /// Whether angles grow from y towards x.
+    bool clockwise_ = false;
 };
 
 }  // namespace covaria

@@ -17,9 +17,10 @@ namespace {
 using pugi::xml_node;
 
 struct GamaKind {
-    const char *element, *title, *deviation;  ///< attribute of <points-observations>; empty: none
+    /// The attribute `deviation` of <points-observations> is empty where there is none.
+    const char *element, *title, *deviation;
     bool angle;
-    const char* reading;  ///< of the network; of a vector its attribute
+    const char* reading;  ///< kind of reading of the network; empty for a vector
 };
 constexpr std::array<GamaKind, 8> gama_kinds{
     {{"direction", "direction", "direction-stdev", true, "direction"},
@@ -41,7 +42,8 @@ std::string text_of(const xml_node& node, const char* attribute) {
     return plain_line(node.attribute(attribute).value());
 }
 
-/// "12-34-56.7", "-0-00-01": degrees, minutes and seconds; empty where it is none.
+/// The degrees of an angle in degrees, minutes and seconds, "12-34-56.7" or "-0-00-01"; empty where the text
+/// is none.
 std::optional<double> sexagesimal_degrees(std::string text) {
     const bool minus = text.starts_with('-');
     if (minus) text.erase(0, 1);
@@ -60,7 +62,7 @@ std::optional<double> sexagesimal_degrees(std::string text) {
     return minus ? -degrees : degrees;
 }
 
-/// Of a + b D^c, D in km: the parts that are stated, at most so many.
+/// The parts of a + b D^c, D in km, that are stated; empty where there are more than `most` of them.
 std::optional<std::array<double, 3>> parts_of(const std::string& text, std::size_t most) {
     std::istringstream words(text);
     std::array<double, 3> parts{0.0, 0.0, 1.0};
@@ -140,7 +142,7 @@ Result<void> GamaObservations::read_vector(const xml_node& node) {
     return {};
 }
 
-/// In the unit of the file; empty: none is stated.
+/// The standard deviation in the unit of the file; empty where none is stated.
 Result<std::optional<double>> GamaObservations::deviation(const xml_node& node, const char* kind,
                                                           double value) const {
     const GamaKind& of = *gama_kind_of(kind);

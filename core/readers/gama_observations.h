@@ -14,14 +14,14 @@
 
 namespace covaria {
 
-/// <cov-mat>: the rows of a band above the diagonal of a symmetric n x n matrix. Error with its place: dim is
-/// not n, an element is no number.
+/// The matrix of an element <cov-mat>, which has the rows of a band above the diagonal of a symmetric n x n
+/// matrix. Error with its place: dim is not n, an element is no number.
 Result<Eigen::MatrixXd> gama_band(const XmlText& xml, const pugi::xml_node& matrix, std::size_t n,
                                   const std::string& what);
 
-/// One observation, for the network: lengths in m, angles in gon.
+/// One observation for the network: lengths in m, angles in gon.
 struct GamaObserved {
-    std::string kind;  ///< of a reading of the network: "slope-distance", "x"
+    std::string kind;  ///< kind of a reading of the network: "slope-distance", "x"
     std::string from = {}, to = {}, second = {}, round = {};
     int line = 0;
     bool is_angle = false;
@@ -31,8 +31,8 @@ struct GamaObserved {
 
 class GamaObservations {
 public:
-    /// `defaults`: <points-observations>, whose attributes hold for observations without their own.
-    /// `of_one_km`: the standard deviation, in mm, of a height difference that states its length alone.
+    /// `defaults` is <points-observations>, whose attributes hold for observations without their own.
+    /// `of_one_km` is the standard deviation, in mm, of a height difference that states its length alone.
     GamaObservations(const XmlText& xml, const pugi::xml_node& defaults, double of_one_km,
                      Proposals& proposals)
         : xml_(xml), defaults_(defaults), of_one_km_(of_one_km), proposals_(proposals) {}
@@ -40,12 +40,13 @@ public:
     static bool is_cluster(std::string_view name) {
         return name == "obs" || name == "height-differences" || name == "vectors";
     }
-    /// Lengths in metres with standard deviations in mm, angles in gon with 0.1 mgon or in degrees
-    /// ("12-34-56.7") with seconds.
+    /// Reads a cluster: lengths in metres with standard deviations in mm, angles in gon with 0.1 mgon or in
+    /// degrees ("12-34-56.7") with seconds.
     Result<void> read(const pugi::xml_node& cluster);
-    /// All of them as one analysis, in which each is its own result; nothing where there is none.
+    /// Proposes all observations as one analysis, in which each is its own result; nothing where there is
+    /// none.
     void propose(const std::string& title, const std::string& source);
-    /// All of them; correlations by their numbers.
+    /// All observations; correlations refer to them by their numbers.
     const std::vector<GamaObserved>& observed() const { return observed_; }
     const std::vector<StatedCorrelation>& observed_correlations() const { return observed_correlations_; }
 
@@ -54,7 +55,7 @@ private:
     Result<void> read_vector(const pugi::xml_node& node);
     Result<void> add(const pugi::xml_node& node, const std::string& name, const char* value,
                      const char* kind);
-    /// The same observation for the network; its u is in the unit of the file.
+    /// Takes the same observation for the network; its u is in the unit of the file.
     Result<void> observe(const pugi::xml_node& node, const char* value, const char* kind, double number,
                          bool degrees, const std::optional<double>& u);
     Result<void> take_matrix(const pugi::xml_node& matrix, std::size_t first);
@@ -66,11 +67,11 @@ private:
     double of_one_km_;
     Proposals& proposals_;
     std::vector<StatedQuantity> quantities_;
-    std::vector<double> per_unit_;  ///< of each: units of its standard deviation in the file per its own unit
+    std::vector<double> per_unit_;  ///< units of each standard deviation in the file per own unit
     std::vector<StatedCorrelation> correlations_;
     std::vector<GamaObserved> observed_;
     std::vector<StatedCorrelation> observed_correlations_;
-    pugi::xml_node cluster_ = {};  ///< the one that is being read
+    pugi::xml_node cluster_ = {};  ///< cluster that is being read
     std::size_t clusters_ = 0, beyond_ = 0;
 };
 

@@ -21,13 +21,13 @@ constexpr const char* instrument_kind = "spherical-instrument";
 constexpr const char* network_model = "points-from-sensors";
 constexpr std::size_t most_set_ups = 20;
 constexpr double half_turn = std::numbers::pi;
-/// Standard deviations of readings that are no repetitions: 3.4' and 0.1 m.
+/// The standard deviations from which on readings are no repetitions: 3.4' and 0.1 m.
 constexpr double largest_angle = 1e-3, largest_distance = 0.1;
 
 /// Readings while the instrument stood at one place.
 struct SetUp {
     std::string station = {};
-    std::array<double, 3> position{};  ///< of the ground point, m
+    std::array<double, 3> position{};  ///< position of the ground point, m
     double instrument_height = 0.0;
     bool located = false;
     std::vector<PolarReading> readings = {};
@@ -105,7 +105,7 @@ private:
         list_.unit = Unit::of("m");
         list_.source = source_;
         proposals_.found.push_back(tell<"coordinates E, N, H become x, y, z">());
-        // There are points, which is all that it asks for.
+        // The list is accepted, since it has points, which is all that it must have.
         static_cast<void>(propose_points(std::move(list_), proposals_));
     }
 
@@ -127,7 +127,7 @@ private:
         propose_readings_as_points(set_up);
     }
 
-    /// Readings of one target that are near to each other.
+    /// Whether the readings are rounds: repeated readings of targets that are near to each other.
     static bool are_rounds(const Rounds& rounds) {
         const auto is_small = [](const PooledFigure& figure, double most) {
             return figure.degrees_of_freedom > 0 && figure.s > 0.0 && figure.s < most;
@@ -196,7 +196,7 @@ private:
         for (const MeanReading& mean : rounds.means) {
             const Eigen::Vector3d p = point_of(set_up, mean);
             targets.add({{"name", mean.point}, {"x", p[0]}, {"y", p[1]}, {"z", p[2]}});
-            // Hz is clockwise from +y, the azimuth anticlockwise from +x.
+            // The reading Hz is clockwise from +y, the azimuth anticlockwise from +x.
             readings.add({{"target", mean.point},
                           {"sensor", id},
                           {"distance", mean.distance},
@@ -218,7 +218,7 @@ private:
     std::string source_;
     PointList list_;
     std::vector<SetUp> set_ups_;
-    std::map<int, std::pair<int, int>> others_;  ///< word -> first line, how many
+    std::map<int, std::pair<int, int>> others_;  ///< first line and number of each other word
     std::size_t heights_ = 0, number_ = 0;
     bool has_list_ = false;
 };

@@ -22,14 +22,14 @@ bool are_digits(std::string_view text) {
            std::all_of(text.begin(), text.end(), [](unsigned char c) { return std::isdigit(c) != 0; });
 }
 
-/// "35945123": degrees, minutes, seconds and their tenths.
+/// The angle of a reading in degrees, minutes, seconds and their tenths: "35945123".
 double sexagesimal(double digits) {
     const double degrees = std::floor(digits / 1e5), minutes = std::floor(digits / 1e3) - 100.0 * degrees;
     const double seconds = (digits - 1e5 * degrees - 1e3 * minutes) / 10.0;
     return (degrees + minutes / 60.0 + seconds / 3600.0) * half_circle / 180.0;
 }
 
-/// By the digit of the unit; empty for one that the kind of word does not have.
+/// The value in SI by the digit of the unit; empty for a unit that the kind of word does not have.
 std::optional<double> in_si(double digits, char unit, bool angle) {
     switch (unit) {
         case '0':
@@ -151,7 +151,7 @@ bool is_gsi(std::string_view text) {
 Result<std::vector<GsiBlock>> read_gsi(const std::string& text) {
     BlockReader reader;
     std::string_view rest = without_byte_order_mark(text);
-    // Line feeds, carriage returns or both; some files have none at all.
+    // Lines end with line feeds, carriage returns or both; some files have none at all.
     for (int number = 1; !rest.empty(); ++number) {
         const std::size_t end = std::min(rest.find_first_of("\r\n"), rest.size());
         std::string_view line = rest.substr(0, end);

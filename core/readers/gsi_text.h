@@ -9,21 +9,22 @@
 
 namespace covaria {
 
-/// What one block says; lengths in m, angles in rad. Zero distances are none.
+/// The content of one block; lengths in m, angles in rad. Distances of zero are none.
 struct GsiBlock {
     int line = 0;
     std::string point;
-    std::optional<double> azimuth, zenith, distance;  ///< 21, 22, 31: Hz clockwise, V from the zenith
-    std::optional<double> target[3], station[3];      ///< 81-83, 84-86: E, N, H
+    std::optional<double> azimuth, zenith, distance;  ///< words 21, 22, 31: Hz clockwise, V from the zenith
+    std::optional<double> target[3], station[3];      ///< words 81-83 and 84-86: E, N, H
     std::optional<double> target_height, instrument_height;
-    std::vector<int> others;  ///< word indices that are not read
+    std::vector<int> others;  ///< indices of words that are not read
 };
 
-/// Words are counted off, never split at blanks, and a block begins with word 11 or 41 to 49, so that files
-/// without line ends are read. Error with line and column: a word that is none, a unit that is unknown.
+/// The blocks of a text. Words are counted off, never split at blanks, and a block begins with word 11 or 41
+/// to 49, so that files without line ends are read. Error with line and column: a word that is none, a unit
+/// that is unknown.
 Result<std::vector<GsiBlock>> read_gsi(const std::string& text);
 
-/// Whether it begins like a block.
+/// Whether a text begins like a block.
 bool is_gsi(std::string_view text);
 
 }  // namespace covaria

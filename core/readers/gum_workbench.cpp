@@ -73,7 +73,8 @@ Result<IniFile> parse_ini(std::string_view text) {
     return file;
 }
 
-/// "\delta\m_X_" -> "delta_m_X": names between backslashes are Greek letters, '_' begins and ends an index.
+/// The text with plain names, "delta_m_X" of "\delta\m_X_": names between backslashes are Greek letters, and
+/// '_' begins and ends an index.
 std::string plain_names(std::string_view text) {
     std::string plain;
     const auto is_name = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };
@@ -97,7 +98,7 @@ std::string plain_names(std::string_view text) {
     return plain;
 }
 
-/// Without what stands in braces, and without the semicolon at the end.
+/// The line without remarks in braces, and without the semicolon at its end.
 std::string without_remarks(const std::string& line) {
     std::string plain;
     int depth = 0;
@@ -139,7 +140,7 @@ private:
         return found == file_.end() ? nullptr : &found->second;
     }
 
-    /// Key[1] ... Key[n].
+    /// The values of the keys Key[1] ... Key[n].
     static std::vector<IniValue> list(const IniSection& section, const std::string& key) {
         std::vector<IniValue> values;
         while (const IniValue* value = section.find(key + "[" + std::to_string(values.size() + 1) + "]"))

@@ -9,7 +9,7 @@ namespace covaria {
 
 namespace {
 
-constexpr double rounding_of_contributions = 0.02;  // two digits
+constexpr double rounding_of_contributions = 0.02;  // figures have two digits
 
 /// Units that a coefficient may be in where the sheet does not say: one between units of a dimension, the
 /// unit of the contributions or of the result per unit of the quantity.
@@ -85,7 +85,8 @@ void LinearModel::say_what_differs(std::size_t index, const Unit& of_coefficient
     }
 }
 
-/// The contributions that the sheet states decide between them.
+/// The unit of a coefficient. Where the sheet does not say it, the contributions that it states decide
+/// between the possible ones.
 Result<Unit> LinearModel::unit_of_coefficient(std::size_t index, const NotedQuantity& q,
                                               const Unit& y) const {
     const Coefficient& c = coefficients_[index];

@@ -22,7 +22,7 @@ Message counted_points(std::size_t n) {
     return n == 1 ? tell<"1 point">() : tell<"%1 points">(n);
 }
 
-/// Names are unique in an artefact: what occurs again gets a number, and that is said.
+/// Gives points with the same name numbers, and says so: names are unique in an artefact.
 void name_apart(std::vector<ListedPoint>& points, Proposals& proposals) {
     std::set<std::pair<std::string, std::string>> taken;
     std::map<std::pair<std::string, std::string>, int> last;
@@ -45,7 +45,7 @@ void name_apart(std::vector<ListedPoint>& points, Proposals& proposals) {
                        : tell<"%1 names occur again and have got a number: first %2">(again, example));
 }
 
-/// Too many groups are told apart by the names of their points.
+/// Joins groups where there are too many of them, which are then told apart by the names of their points.
 void join_groups(PointList& list, Proposals& proposals) {
     std::set<std::string> groups;
     for (ListedPoint& point : list.points) groups.insert(point.group = plain_name(point.group));

@@ -21,12 +21,12 @@ using Pose6 = Eigen::Matrix<double, 6, 1>;
 
 constexpr std::size_t most_bodies = 20, most_motive_columns = 20'000;
 
-/// A rigid body of the take: where its figures stand, and what was measured.
+/// A rigid body of the take: the columns of its figures, and its measured poses.
 struct RigidBody {
     std::string name;
     std::array<std::size_t, 4> rotation{};  ///< columns of x, y, z, w; 0: none
     std::array<std::size_t, 3> position{};
-    std::vector<Pose6> poses = {};  ///< x, y, z in the file's unit; angles about x, y, z in rad
+    std::vector<Pose6> poses = {};  ///< poses: x, y, z in the file's unit, angles about x, y, z in rad
     std::size_t occluded = 0;
 };
 
@@ -174,7 +174,7 @@ private:
                      "the axes of the body in Motive by 90 degrees">(in_quotes(body.name)));
         Pose6 pose;
         pose << v[4], v[5], v[6], zyx_from_rotation<double>(R);
-        for (Eigen::Index i = 3; i < 6 && !body.poses.empty(); ++i) {  // no jump at 180 degrees
+        for (Eigen::Index i = 3; i < 6 && !body.poses.empty(); ++i) {  // angles must not jump at 180 degrees
             const double before = body.poses.front()[i];
             pose[i] = before + std::remainder(pose[i] - before, 2.0 * std::numbers::pi);
         }

@@ -117,12 +117,13 @@ std::optional<std::string> known_word(const std::string& word) {
 
 std::string covaria_word(const std::string& word) {
     if (const auto known = known_word(word)) return *known;
-    if (word.size() > 3 && word.ends_with('s'))  // "kiloohms"
+    if (word.size() > 3 && word.ends_with('s'))  // a plural such as "kiloohms"
         if (const auto known = known_word(word.substr(0, word.size() - 1))) return *known;
     return word;
 }
 
-/// Letters and what belongs to a name: the 2 of "inch_H2O", not that of "cm2".
+/// The word at `at`: letters and all that belongs to a name, such as the 2 of "inch_H2O", but not that of
+/// "cm2".
 std::string word_at(const std::string& text, std::size_t at) {
     const auto is_letter = [&](std::size_t i) {
         return i < text.size() && (std::isalpha(static_cast<unsigned char>(text[i])) || text[i] == '_' ||

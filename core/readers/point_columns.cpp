@@ -39,7 +39,8 @@ constexpr std::array<ColumnWord, 15> column_words{
      {"U_z", PointColumnKind::expanded, 2, "expanded uncertainty of z, k = 2"},
      {"-", PointColumnKind::unread, 0, "not read"}}};
 
-/// "X [mm]", "X (mm)" or "X/mm" -> "X" and its unit; brackets around anything else stay in the word.
+/// The word and the unit of a header "X [mm]", "X (mm)" or "X/mm"; brackets around anything else stay in the
+/// word.
 PointColumn split_unit(const std::string& text) {
     PointColumn column{.word = text};
     const auto cut = [&](std::size_t keep, std::size_t begin, std::size_t length) {
@@ -69,7 +70,7 @@ bool is_one_of(const std::string& word, std::initializer_list<const char*> words
     return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-/// "X Coord", "Coordinate X", "std dev X" -> "x", "stddevx".
+/// The word with its coordinate in short: "x" of "X Coord" and "Coordinate X", "stddevx" of "std dev X".
 std::string coordinate_letters(std::string letters) {
     for (const std::string name : {"coordinate", "koordinate", "coord", "koord"}) {
         if (letters.starts_with(name)) letters.erase(0, name.size());
@@ -95,7 +96,8 @@ Meaning meaning_of_header(const std::string& word) {
     return {PointColumnKind::unread, 0};
 }
 
-/// GUM: U_x is an expanded uncertainty; SpatialAnalyzer writes Ux for one standard uncertainty.
+/// Whether a word such as U_x means two things: by the GUM it is an expanded uncertainty, but SpatialAnalyzer
+/// writes Ux for one standard uncertainty.
 bool means_two_things(const std::string& word) {
     return word.size() > 2 && word.front() == 'U' && !std::isalnum(static_cast<unsigned char>(word[1]));
 }

@@ -16,7 +16,7 @@ namespace covaria {
 
 namespace {
 
-/// Rows with known columns to points of a list.
+/// Reader of rows with known columns, which become points of a list.
 class PointRows {
 public:
     PointRows(PointColumns columns, const DelimitedText& format, PointList& list, Proposals& proposals)
@@ -79,7 +79,8 @@ private:
         return list_.unit.from_si(column.unit->to_si(value));
     }
 
-    /// More cells than columns: between blanks a name may have some, and all behind it is another column.
+    /// Checks whether a row has more cells than columns. Between blanks it is refused then: a name may have
+    /// several words, and all behind it would be another column.
     Result<void> check_width(const CsvRow& row) {
         std::size_t width = row.cells.size();
         while (width > columns_.size() && row.cells[width - 1].empty()) --width;
@@ -125,17 +126,17 @@ void say_columns(const PointColumns& columns, const DelimitedText& format, Propo
     proposals.found.push_back(tell<"%1: %2">(format.words(), words));
 }
 
-/// Where the lines begin that are read: behind what stands above the headers.
+/// The text from the line on that is read, and the number of lines above the headers.
 struct TableText {
     std::string_view text;
     int lines_before = 0;
 };
 
-/// From the line of headers, if there is one among the first; else all.
+/// The text from the line of headers on, if there is one among the first lines; else all of it.
 TableText from_headers(std::string_view text) {
     text = without_byte_order_mark(text);
     std::size_t at = 0;
-    bool titles = false;  // comments alone stay: they are counted
+    bool titles = false;  // comments alone do not count here: they are read and counted
     for (int line = 0; line < 30 && at < text.size(); ++line) {
         const std::size_t end = std::min(text.find('\n', at), text.size());
         const std::string_view one = text.substr(at, end - at);
@@ -212,7 +213,7 @@ Result<Proposals> read_table(const std::string& text, const ReadChoice& choice) 
     return read_points(table, choice, format, std::move(*columns), !numbers, "table of points");
 }
 
-/// How many words stand before the numbers, and how many numbers.
+/// The numbers of words before the numbers of a row, of its numbers, and of cells behind them.
 struct RowShape {
     std::size_t words = 0, numbers = 0, behind = 0;
 };
@@ -236,10 +237,11 @@ Recognition recognise_spatial_analyzer(std::string_view beginning, const std::st
                                                                         : Recognition::no;
 }
 
-/// "[collection] [group] point X Y Z [Ux Uy Uz]". Only a reader that was named settles what looks alike.
+/// The columns of "[collection] [group] point X Y Z [Ux Uy Uz]". Only a reader that was named settles rows
+/// that look alike.
 Result<PointColumns> spatial_analyzer_columns(RowShape shape, bool chosen) {
     const std::string numbers = std::to_string(shape.numbers);
-    // Names may be numbers.
+    // The names of points may be numbers.
     if (chosen && shape.words == 0 && (shape.numbers == 4 || shape.numbers == 7))
         shape = {1, shape.numbers - 1};
     if (chosen && shape.words == 0 && (shape.numbers == 5 || shape.numbers == 8))
@@ -280,7 +282,7 @@ Result<Proposals> read_spatial_analyzer(const std::string& text, const ReadChoic
         });
 }
 
-/// The first rows; columns as the reader finds them, where it does.
+/// The first rows of a file of points; with columns as the reader finds them, where it does.
 Result<SourceTable> rows_of_points(const std::string& whole, const ReadChoice& choice, bool headers) {
     const std::string_view text = headers ? from_headers(whole).text : std::string_view(whole);
     const DelimitedText format = delimited_text_of(text);

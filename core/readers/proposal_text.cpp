@@ -64,7 +64,7 @@ public:
 private:
     void line(const char* indent, const Message& message) { out_ << indent << in_.say(message) << "\n"; }
 
-    /// Columns that any of the rows has something in, padded.
+    /// Writes the columns in which any of the rows has something, padded.
     void write_table(const FieldSpec& field, const SetupTable& table) {
         const std::size_t rows = std::min(table.rows.size(), shown_rows);
         std::vector<std::string> lines(rows + 1, "     ");

@@ -1,4 +1,4 @@
-// What a reader proposes, as text: for the terminal and the import dialog.
+// The proposals of a reader as text: for the terminal and the import dialog.
 #pragma once
 
 #include <string>
@@ -8,7 +8,8 @@
 
 namespace covaria {
 
-/// What was found, with the first rows of its tables if `with_tables`, and what is not taken over.
+/// The text of proposals: what was found, with the first rows of the tables if `with_tables`, and what is not
+/// taken over.
 std::string text_of(const Reader& reader, const Proposals& proposals, bool with_tables,
                     const DocumentLanguage& in = {});
 std::string list_of_readers();

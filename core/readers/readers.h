@@ -10,22 +10,22 @@
 namespace covaria {
 
 const std::vector<Reader>& reader_registry();
-const Reader* find_reader(const std::string& name);  ///< null if there is none
+const Reader* find_reader(const std::string& name);  ///< null where there is none of that name
 
-/// Bytes from the front of a file that readers are recognised by.
+/// The number of bytes from the front of a file that readers are recognised by.
 inline constexpr std::size_t recognised_by = 4096;
 
 /// Readers that recognise a file: the certain ones, else the possible ones.
 struct RecognisedReaders {
     std::vector<const Reader*> readers;
-    std::vector<const Reader*> others;  ///< possible ones beside the certain ones
+    std::vector<const Reader*> others;  ///< possible readers beside the certain ones
 };
 RecognisedReaders recognise_reader(std::string_view text, const std::string& file_name);
 
 /// The only reader that recognises the file. Error{usage}: none, or several; the message names them.
 Result<const Reader*> reader_for(std::string_view text, const std::string& file_name);
 
-/// Adds what is proposed, under ids that the project does not have yet; references follow.
+/// Adds the proposals under ids that the project does not have yet; references follow.
 void add_to_project(Project& project, Proposals proposals);
 
 }  // namespace covaria

@@ -24,7 +24,7 @@ constexpr std::array<ArmJoint, 6> arm_joints{{{"shoulder", "shoulder_pan_joint"}
                                               {"wrist_2", "wrist_2_joint"},
                                               {"wrist_3", "wrist_3_joint"}}};
 
-/// "x y z" and "roll pitch yaw" of one joint.
+/// The element <origin> of one joint, of "x y z" and "roll pitch yaw".
 Result<std::string> origin_of(const YamlNode& joint, const std::string& name) {
     std::array<std::string, 6> figures;
     constexpr std::array<const char*, 6> keys{"x", "y", "z", "roll", "pitch", "yaw"};

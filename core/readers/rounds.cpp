@@ -11,7 +11,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// Nearest to zero.
+/// The angle nearest to zero, by whole turns.
 double wrapped(double angle) {
     return std::remainder(angle, 2.0 * pi);
 }
@@ -47,7 +47,7 @@ void pair_faces(TargetRounds& target) {
             target.rounds.push_back(in_face_one(target.faces[face][i], face == 1));
 }
 
-/// Residuals of the azimuths of a target from their mean, which is returned.
+/// The mean of the azimuths of a target; their residuals from it are added.
 double mean_azimuth(const TargetRounds& target, std::vector<double>& residuals) {
     const double first = target.rounds.front().azimuth;
     double sum = 0.0;
@@ -85,7 +85,7 @@ void pool_azimuths(const std::vector<std::vector<double>>& residuals, PooledFigu
     finish(pooled);
 }
 
-/// Half of what the two faces differ, averaged.
+/// Takes half of the differences of the two faces, averaged.
 void take_faces(const std::vector<TargetRounds>& targets, Rounds& rounds) {
     std::size_t pairs = 0;
     rounds.two_faces = true;

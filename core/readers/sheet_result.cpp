@@ -56,7 +56,7 @@ bool is_row_of_sums(const std::string& label) {
                            : combined && meaning->column == BudgetColumn::standard);
 }
 
-/// Where the contributions or uncertainties stand, else the only number of the row.
+/// The figure in the column of contributions or uncertainties, else the only number of the row.
 std::optional<CellFigure> SheetResult::figure_of_sums(int row) const {
     const auto row_unit = Unit::parse(cells_.text(row, BudgetColumn::unit));
     const auto with_unit = [&](CellFigure figure, const std::optional<Unit>& head) {

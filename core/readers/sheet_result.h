@@ -1,4 +1,4 @@
-// What the sheet itself says its result is: the rows of the result and of the sums, which are computed anew.
+// The result as the sheet itself states it: the rows of the result and of the sums, which are computed anew.
 #pragma once
 
 #include <optional>
@@ -8,20 +8,22 @@
 
 namespace covaria {
 
-/// "Combined standard uncertainty", "Expanded uncertainty U (k = 2)" and no more: also where a distribution
-/// stands beside it, such a row is no quantity. "Expanded uncertainty of the standard" may be one.
+/// Whether a label says "Combined standard uncertainty" or "Expanded uncertainty U (k = 2)" and no more: also
+/// where a distribution stands beside it, such a row is no quantity. "Expanded uncertainty of the standard"
+/// may be one.
 bool is_row_of_sums(const std::string& label);
 
 class SheetResult {
 public:
     explicit SheetResult(const BudgetCells& cells) : cells_(cells) {}
 
-    /// "Expanded uncertainty, k = 2 | 73 nm": false where the row says nothing of the kind.
+    /// Takes the sums of a row such as "Expanded uncertainty, k = 2 | 73 nm"; false where the row says
+    /// nothing of the kind.
     bool take_sums(int row);
-    /// The row of the result: value, and its contribution as u.
+    /// Takes the row of the result: value, and its contribution as u.
     void take_result(int row, const Unit& unit, const std::optional<CellFigure>& value);
 
-    /// In `unit`, the result's.
+    /// The stated result in `unit`, its own.
     StatedOutcome outcome(const Unit& unit) const;
 
 private:

@@ -34,7 +34,8 @@ void add_component(TableRows& rows, const std::string& symbol, const std::string
               {"source", optional_text(c.source)}});
 }
 
-/// A quantity with one component in its own unit is one row; others have a row for each component.
+/// Adds a quantity. One with a single component in its own unit is one row; others have a row for each
+/// component.
 void add_quantity(TableRows& rows, TableRows& observations, const NotedQuantity& q) {
     for (std::size_t i = 0; i < q.observations.size(); ++i)
         observations.add(
@@ -82,7 +83,7 @@ AnalysisEntry analysis_of(const StatedBudget& budget) {
 
 std::string SymbolNames::take(const std::string& text) {
     std::string symbol = plain_symbol(plain_name(text));
-    // "δl" is delta_l: "deltal" would be a word.
+    // The symbol of "δl" is delta_l: "deltal" would be a word.
     if (const auto greek = greek_letter_at(plain_name(text));
         greek && greek->name.size() < symbol.size() &&
         std::isalpha(static_cast<unsigned char>(symbol[greek->name.size()])))

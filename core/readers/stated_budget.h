@@ -25,13 +25,14 @@ struct NotedQuantity {
     double value = 0.0;
     Unit unit = {};
     std::vector<NotedComponent> components = {};
-    std::vector<double> observations = {};  ///< in `unit`; their mean is then the value
-    bool observed_together = false;         ///< with the others that are so: their means are correlated
+    std::vector<double> observations = {};  ///< observations in `unit`; their mean is then the value
+    /// Whether they were made with the others that are so: their means are correlated.
+    bool observed_together = false;
 };
 
 struct NotedResult {
     std::string symbol, name = {};
-    std::optional<Unit> unit = {};  ///< empty: that of the equations
+    std::optional<Unit> unit = {};  ///< unit; empty: that of the equations
 };
 
 struct StatedBudget {
@@ -39,12 +40,12 @@ struct StatedBudget {
     std::string equations = {};
     std::vector<NotedQuantity> quantities = {};
     std::vector<NotedResult> results = {};
-    std::vector<StatedCorrelation> correlations = {};  ///< of quantities
+    std::vector<StatedCorrelation> correlations = {};  ///< correlations of quantities
 };
 
 AnalysisEntry analysis_of(const StatedBudget& budget);
 
-/// Names of files as symbols that equations may use: "δl_D" -> "deltal_D"; "x_7" where the text is none, or
+/// Names of files as symbols that equations may use: "deltal_D" for "δl_D"; "x_7" where the text is none, or
 /// is a function of the equations. No symbol is given twice.
 class SymbolNames {
 public:
@@ -54,7 +55,8 @@ private:
     std::set<std::string> taken_;
 };
 
-/// What the equations have that Covaria cannot read, empty if nothing: "columns 4-7: ...".
+/// The complaint about a part of the equations that Covaria cannot read, empty if there is none: "columns
+/// 4-7: ...".
 Message equation_complaint(const std::string& equations);
 
 }  // namespace covaria

@@ -12,7 +12,7 @@ namespace covaria {
 
 /// One stated quantity. Figures are in `unit`, uncertainties in its interval (K for degC).
 struct StatedQuantity {
-    std::string symbol;  ///< "x_1": a name that equations may use
+    std::string symbol;  ///< name that equations may use: "x_1"
     std::string name;
     double value = 0.0;
     Unit unit = {};
@@ -23,15 +23,15 @@ struct StatedQuantity {
 };
 
 struct StatedCorrelation {
-    std::size_t first = 0, second = 0;  ///< indices
+    std::size_t first = 0, second = 0;  ///< indices of quantities
     double coefficient = 0.0;
 };
 
-/// More are not put into one analysis.
+/// The most quantities that are put into one analysis.
 inline constexpr std::size_t most_stated_quantities = 300;
 
-/// Every quantity becomes an input quantity "x_1" and a result "y_x_1" hereof; people write their own
-/// equations below or instead. Correlations of 0 are left out.
+/// The analysis of quantities, each of which becomes an input quantity "x_1" and a result "y_x_1" hereof;
+/// people write their own equations below or instead. Correlations of 0 are left out.
 AnalysisEntry analysis_of(const std::string& id, const std::string& name, const std::string& notes,
                           const std::vector<StatedQuantity>& quantities,
                           const std::vector<StatedCorrelation>& correlations = {});

@@ -21,7 +21,8 @@ namespace covaria {
 
 namespace {
 
-/// Python's powers and the symbols that names became, which are collected in `used`; all else stays.
+/// The equation of an expression, with the powers of Python replaced and names by their symbols; names are
+/// collected in `used`, and all else stays.
 std::string equation_of(const std::string& expression, const std::map<std::string, std::string>& symbols,
                         std::set<std::string>& used) {
     std::string equation;
@@ -36,7 +37,8 @@ std::string equation_of(const std::string& expression, const std::map<std::strin
             equation += symbol == symbols.end() ? word : symbol->second;
             used.insert(word);
             at = end;
-        } else if (std::isdigit(static_cast<unsigned char>(c))) {  // 1e-5: its e is no name
+        } else if (std::isdigit(static_cast<unsigned char>(c))) {
+            // A number such as 1e-5 is copied whole: its e is no name.
             std::size_t end = at;
             while (end < expression.size() && (is_word(expression[end]) || expression[end] == '.')) ++end;
             equation += expression.substr(at, end - at);
@@ -50,7 +52,7 @@ std::string equation_of(const std::string& expression, const std::map<std::strin
     return equation;
 }
 
-/// What the parts of a calculation are called in a mode.
+/// Keys of the parts of a calculation in a mode.
 struct SuncalKeys {
     const char *name, *value, *components, *equation;
 };
@@ -79,7 +81,7 @@ std::string description_of(const YamlNode& node) {
     return text.empty() ? plain_name(node.text_of("description")) : text;
 }
 
-/// s of the observations, for the mean of another number of them.
+/// The component of the mean of another number of observations, by the standard deviation of these.
 NotedComponent mean_of_new(const std::vector<double>& values, double count, const Unit& unit) {
     const double n = static_cast<double>(values.size());
     double mean = 0.0, squares = 0.0;
@@ -119,11 +121,11 @@ void leave_out_others(Proposals& proposals, const YamlNode& map, const std::stri
     }
 }
 
-/// What the names of a calculation are called here.
+/// The symbols that stand for the names of a calculation.
 struct SuncalNames {
     SymbolNames taken;
     std::map<std::string, std::string> symbols;
-    std::set<std::string> used;  ///< names in the equations
+    std::set<std::string> used;  ///< names that the equations use
 
     std::string symbol_of(const std::string& name, Proposals& proposals) {
         const std::string symbol = taken.take(name);
@@ -137,7 +139,8 @@ struct SuncalNames {
 /// One input with its observations and components.
 class SuncalInput {
 public:
-    /// `observations`: those of the file so far; `together`: lists of observations were made together.
+    /// `observations` counts those of the file so far; `together` says that lists of observations were made
+    /// together.
     SuncalInput(const ReadChoice& choice, const SuncalKeys& keys, SuncalNames& names, Proposals& proposals,
                 std::size_t& observations, bool together)
         : choice_(choice),
@@ -184,7 +187,7 @@ public:
     }
 
 private:
-    /// Repeated observations, or the standard uncertainty of their mean.
+    /// Reads repeated observations, or the standard uncertainty of their mean.
     Result<void> read_observations(const YamlNode& input, const PintUnit& unit, NotedQuantity& quantity,
                                    const std::string& where) {
         if (const YamlNode* stated = input.find("typea_uncert")) {
@@ -256,7 +259,7 @@ private:
             if (!c.degrees_of_freedom || !(*c.degrees_of_freedom > 0.0))
                 return nu->refused(where + tell<"degf must be a number greater than 0, or .inf">());
         }
-        // Shares are of the mean as it stands, in the unit of the component.
+        // Shares are taken of the mean as it stands, in the unit of the component.
         const double mean = of_quantity.zero != 0.0 ? stated_mean
                                                     : quantity.unit.interval_to_si(quantity.value) /
                                                           own.interval_to_si(unit->scale);
@@ -354,7 +357,7 @@ private:
         return {};
     }
 
-    /// Quantities that are measured directly, and those that follow from them, in one model.
+    /// Reads a system: quantities that are measured directly, and those that follow from them, in one model.
     Result<void> read_system_part(const YamlNode& part) {
         begin(part);
         leave_out_others(proposals_, part, "",
@@ -375,7 +378,7 @@ private:
         together_ = part.text_of("correlate") != "false";
         if (auto done = read_inputs(*quantities, direct); !done) return done;
         if (auto done = read_functions(*quantities, indirect); !done) return done;
-        // What no equation uses is a result as it stands.
+        // A quantity that no equation uses is a result as it stands.
         for (const YamlNode* node : direct) {
             const std::string name = node->text_of(keys_.name);
             if (names_.used.contains(name)) continue;
@@ -434,10 +437,10 @@ private:
         std::string equation;
         if (sign == std::string::npos) {
             equation = result.symbol + " = " + equation_of(text, names_.symbols, names_.used);
-        } else if (semicolon == std::string::npos) {  // "f = a*b"
+        } else if (semicolon == std::string::npos) {  // an equation "f = a*b"
             equation =
                 result.symbol + " = " + equation_of(text.substr(sign + 1), names_.symbols, names_.used);
-        } else {  // "a*f**2 - b = 0; f~3": solved from a starting value
+        } else {  // an equation "a*f**2 - b = 0; f~3", solved from a starting value
             const std::size_t tilde = text.find('~', semicolon);
             const auto start =
                 tilde == std::string::npos ? std::optional(1.0) : number_in_text(text.substr(tilde + 1));
@@ -484,7 +487,7 @@ private:
     std::string skipped_;
     SuncalKeys keys_ = uncertainty_keys;
     std::size_t observations_ = 0;
-    bool together_ = false;  ///< lists of observations were made together
+    bool together_ = false;  ///< whether lists of observations were made together
 };
 
 Recognition recognise_suncal(std::string_view beginning, const std::string&) {

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t longest_figure = 200;
 
-/// Sums of products of numbers; parentheses are few, because the text is short.
+/// Reader of sums of products of numbers. Parentheses are few, because the text is short.
 class FigureText {
 public:
     FigureText(std::string_view text, double mean) : rest_(text), mean_(std::abs(mean)) {}

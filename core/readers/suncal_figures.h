@@ -9,12 +9,13 @@
 
 namespace covaria {
 
-/// "5%", "0.01% + .00001*100", "10 ppm + .01%range(10)": a sum of products in the unit of `mean`, of which %,
-/// ppm and ppb are shares; of a range the share is that of its argument. Empty: it is none.
+/// The number of a figure "5%", "0.01% + .00001*100", "10 ppm + .01%range(10)": a sum of products in the unit
+/// of `mean`, of which %, ppm and ppb are shares; the share of a range is one of its argument. It is empty
+/// where the text is none.
 std::optional<double> suncal_figure(const std::string& text, double mean);
 
-/// What a distribution of Suncal and its figures mean. Empty, or what cannot be taken over; `how` says what
-/// was concluded.
+/// Gives the component the statement of a distribution of Suncal with its figures, and says in `how` what was
+/// concluded. The answer names what cannot be taken over, and is empty otherwise.
 std::string state_suncal(const std::string& distribution, const std::map<std::string, double>& figures,
                          NotedComponent& component, std::string& how);
 

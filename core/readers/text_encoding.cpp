@@ -11,7 +11,7 @@ namespace covaria {
 
 namespace {
 
-/// 0x80 to 0x9F of Windows-1252; 0: not used.
+/// The signs 0x80 to 0x9F of Windows-1252; 0: not used.
 constexpr std::array<std::uint16_t, 32> windows_signs{
     0x20AC, 0,      0x201A, 0x0192, 0x201E, 0x2026, 0x2020, 0x2021, 0x02C6, 0x2030, 0x0160,
     0x2039, 0x0152, 0,      0x017D, 0,      0,      0x2018, 0x2019, 0x201C, 0x201D, 0x2022,
@@ -33,7 +33,7 @@ void append(std::string& text, std::uint32_t code) {
     byte(0x80 | (code & 0x3F));
 }
 
-/// Halves of pairs without their other half become '?'.
+/// The text in UTF-8. Halves of pairs without their other half become '?'.
 std::string utf8_of_utf16(std::string_view bytes, bool big_endian) {
     const auto unit = [&](std::size_t at) {
         const auto first = static_cast<unsigned char>(bytes[at]),

@@ -11,7 +11,7 @@ namespace covaria {
 Unit unstated_unit(const ReadChoice& choice, const std::string& key, const std::string& title,
                    const Unit& otherwise, Proposals& proposals);
 
-/// Error{usage}: a unit is stated for what the file has not, or states itself.
+/// Refuses a unit stated for something that the file does not have, or states itself. Error{usage}.
 Result<void> check_stated_units(const ReadChoice& choice, const Proposals& proposals);
 
 }  // namespace covaria

@@ -8,7 +8,7 @@ namespace covaria {
 
 namespace {
 
-/// Xacro is URDF before its macros are expanded; reading it says so.
+/// Recognises URDF, and Xacro, which is URDF before its macros are expanded; reading it says so.
 Recognition recognise_urdf(std::string_view beginning, const std::string& file_name) {
     const bool named = file_name.ends_with(".urdf") || file_name.ends_with(".xacro");
     if (beginning.find("<robot") == std::string_view::npos) return Recognition::no;

@@ -26,7 +26,8 @@ std::string string_of(const pugi::xml_node& node) {
     return text;
 }
 
-/// "worksheets/sheet1.xml" beside "xl/workbook.xml"; a path from the root keeps only its '/'.
+/// The path of a part: "worksheets/sheet1.xml" beside "xl/workbook.xml"; a path from the root loses only its
+/// '/'.
 std::string part_name(const std::string& target) {
     return target.starts_with('/') ? target.substr(1) : "xl/" + target;
 }
@@ -60,7 +61,7 @@ public:
     }
 
 private:
-    /// Errors name the part beside their line in it.
+    /// The XML of a part. Errors name the part beside their line in it.
     Result<XmlText> parse(const std::string& name) {
         const auto text = parts_.read(name);
         if (!text) return fail(text.error());

@@ -12,36 +12,36 @@
 namespace covaria {
 
 struct WorkbookCell {
-    std::string text = {};              ///< as stored: words, or the digits of a number
-    std::optional<double> number = {};  ///< where it is one
+    std::string text = {};              ///< text as stored: words, or the digits of a number
+    std::optional<double> number = {};  ///< the number, where the text is one
     std::string failure = {};           ///< why it has no value: an error of Excel, a formula never computed
 };
 
 struct WorkbookSheet {
     std::string name;
-    std::map<int, std::map<int, WorkbookCell>> rows =
-        {};  ///< by row and column from 1; only cells with content
+    /// Cells with content, by row and column from 1.
+    std::map<int, std::map<int, WorkbookCell>> rows = {};
 
     const WorkbookCell* cell(int row, int column) const;
-    int first_column() const;  ///< that has a cell
-    /// As if it had been typed into the sheet; an empty text takes the cell away.
+    int first_column() const;  ///< first column that has a cell
+    /// Sets a cell as if its text had been typed into the sheet; an empty text takes the cell away.
     void set_cell(int row, int column, const std::string& text);
-    /// "Budget!C5"
+    /// The place in words: "Budget!C5".
     std::string place(int row, int column) const;
-    /// Error at a cell; its line is the row.
+    /// An error at a cell; its line is the row.
     tl::unexpected<Error> refused(int row, int column, const Message& message) const;
 };
 
 struct CellPlace {
-    int row = 0, column = 0;  ///< from 1
+    int row = 0, column = 0;  ///< numbers from 1
 };
-/// "C5"; empty where it is none.
+/// The place of a reference such as "C5"; empty where the text is none.
 std::optional<CellPlace> place_of_cell(std::string_view reference);
-/// "C" for 3.
+/// The letters of a column: "C" for 3.
 std::string column_letters(int column);
 
-/// All sheets with cells, in the order of the workbook; hidden ones too. Formulas are never computed.
-/// Error: no workbook, encrypted, damaged, an XML entity, more cells or bytes than a budget has.
+/// All sheets with cells, in the order of the workbook; hidden ones too. Formulas are never computed. Error:
+/// no workbook, encrypted, damaged, an XML entity, more cells or bytes than a budget has.
 Result<std::vector<WorkbookSheet>> read_workbook(const std::string& bytes);
 
 }  // namespace covaria

@@ -11,13 +11,13 @@
 
 namespace covaria {
 
-/// Bytes; what is made of short elements takes twenty times as much.
+/// The most bytes of a text: the nodes of short elements take twenty times as much.
 inline constexpr std::size_t largest_xml = 40'000'000;
 
 class XmlText {
 public:
-    /// Error with line and column: no XML; too large; a document type declaration, whose entities are never
-    /// expanded.
+    /// Parses a text. Error with line and column: no XML; too large; a document type declaration, whose
+    /// entities are never expanded.
     static Result<XmlText> parse(const std::string& text);
 
     pugi::xml_node root() const { return document_.document_element(); }
@@ -37,12 +37,13 @@ private:
 std::string_view local_name(const pugi::xml_node& node);
 /// The first child of that local name; empty if there is none.
 pugi::xml_node child_called(const pugi::xml_node& node, std::string_view name);
-/// Of the first child of that name that a text has, trimmed.
+/// The text of the first child of that name, trimmed.
 std::string text_of_child(const pugi::xml_node& node, std::string_view name);
 std::string trimmed_text(const pugi::xml_node& node);
-/// A finite number; empty where the text is none.
+/// The finite number in a text; empty where it is none.
 std::optional<double> number_in_text(std::string text);
-/// The next element in the order of the text that is within `top`; without its children if `skip` is set.
+/// The next element in the order of the text that is within `top`; without the children of this one if `skip`
+/// is set.
 pugi::xml_node next_element(const pugi::xml_node& node, const pugi::xml_node& top, bool skip);
 
 }  // namespace covaria

@@ -1,4 +1,4 @@
-// The only file that knows yaml-cpp.
+// YAML parsed. This is the only file that knows yaml-cpp.
 #include "core/readers/yaml_text.h"
 
 #include <yaml-cpp/eventhandler.h>
@@ -17,12 +17,12 @@ namespace {
 
 constexpr std::size_t deepest = 60, most_nodes = 200'000;
 
-/// Ends the parsing; never leaves this file.
+/// The error that ends the parsing; it never leaves this file.
 struct RefusedYaml {
     Error error;
 };
 
-/// Events to nodes; the nodes that are not finished are in `open_`.
+/// Builder of nodes from events; the nodes that are not finished are in `open_`.
 class NodeBuilder : public YAML::EventHandler {
 public:
     YamlNode take() { return std::move(root_); }
@@ -77,7 +77,7 @@ private:
         add(std::move(node));
     }
 
-    /// In a map keys and values come in turns.
+    /// Adds a finished node to the one around it; in a map keys and values come in turns.
     void add(YamlNode node) {
         if (open_.empty()) {
             root_ = std::move(node);

@@ -17,22 +17,22 @@ inline constexpr std::size_t largest_yaml = 500'000;  ///< bytes; the scanner ma
 struct YamlNode {
     enum class Kind { nothing, scalar, list, map };
     Kind kind = Kind::nothing;
-    std::string text = {};                ///< of a scalar
-    std::vector<std::string> keys = {};   ///< of a map, a key for each child
-    std::vector<YamlNode> children = {};  ///< of a list or map
-    int line = 0, column = 0;             ///< from 1
+    std::string text = {};                ///< text of a scalar
+    std::vector<std::string> keys = {};   ///< key of a map for each child
+    std::vector<YamlNode> children = {};  ///< elements of a list or map
+    int line = 0, column = 0;             ///< places from 1
 
     /// The value under a key; null if there is none or nothing is said.
     const YamlNode* find(const std::string& key) const;
-    /// The scalar under a key, else empty.
+    /// The scalar under a key, or an empty text.
     std::string text_of(const std::string& key) const;
-    /// A finite number; empty where it is none.
+    /// The finite number of a scalar; empty where it is none.
     std::optional<double> number() const;
     tl::unexpected<Error> refused(const Message& message) const { return refused_at(line, column, message); }
 };
 
-/// The first document. Error with line and column: no YAML, an alias, a key that is not a word or stands
-/// twice, too large, too deep.
+/// The first document of a text. Error with line and column: no YAML, an alias, a key that is not a word or
+/// stands twice, too large, too deep.
 Result<YamlNode> parse_yaml(const std::string& text);
 
 }  // namespace covaria

@@ -1,4 +1,4 @@
-// The only file that knows libzip.
+// Parts of zip files. This is the only file that knows libzip.
 #include "core/readers/zip_parts.h"
 
 #include <zip.h>

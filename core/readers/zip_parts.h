@@ -11,13 +11,13 @@ namespace covaria {
 
 class ZipParts {
 public:
-    /// Error: no zip file, or a damaged one. `bytes` must outlive this. `limit`: bytes that all parts that
-    /// are read may unpack to together.
+    /// Opens a zip file. `bytes` must outlive this. `limit` is the number of bytes that all parts that are
+    /// read may unpack to together. Error: no zip file, or a damaged one.
     static Result<ZipParts> open(const std::string& bytes, std::size_t limit);
 
     bool has(const std::string& name) const;
-    /// Error: there is no such part, it is encrypted or damaged, it unpacks beyond the limit, of which no
-    /// more is ever unpacked.
+    /// Reads a part. Error: there is no such part, it is encrypted or damaged, or it unpacks beyond the
+    /// limit, of which no more is ever unpacked.
     Result<std::string> read(const std::string& name);
 
 private:

@@ -1,4 +1,4 @@
-// What a certificate says in place of a text that is not given.
+// Texts that a certificate has in place of those that are not given.
 #pragma once
 
 #include <string>
@@ -8,7 +8,8 @@
 
 namespace covaria {
 
-/// "in the laboratory"; empty: nothing, or that it is not stated.
+/// The text in place of one that is not given: "in the laboratory"; empty where there is none, or the
+/// certificate says that it is not stated.
 std::string said_in_place_of(std::string Certificate::*text, const DocumentLanguage& in);
 
 }  // namespace covaria

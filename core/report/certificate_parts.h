@@ -6,12 +6,12 @@
 
 namespace covaria::report_parts {
 
-/// Results of the analyses as result lines or, where there are many, as compact tables.
+/// Adds the results of the analyses as result lines or, where there are many, as compact tables.
 void add_certified_results(Blocks& blocks, const EvaluatedAnalysis& evaluated, const DocumentLanguage& in);
-/// What U, k and p are in these analyses.
+/// Adds the statement of what U, k and p are in these analyses.
 void add_uncertainty_statement(Blocks& blocks, const std::vector<EvaluatedAnalysis>& analyses,
                                const DocumentLanguage& in);
-/// Tables of conformity with the tolerances of the requirements; nothing without any.
+/// Adds tables of conformity with the tolerances of the requirements; nothing without any.
 void add_certified_conformity(Blocks& blocks, const ReportSource& source,
                               const std::vector<EvaluatedAnalysis>& analyses, const DocumentLanguage& in);
 

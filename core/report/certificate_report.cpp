@@ -1,5 +1,5 @@
-// A calibration certificate: what ISO/IEC 17025 7.8.2 and 7.8.4 ask for, results in result lines, conformity,
-// signature, end. One to three pages; what else there is stands in the report.
+// A calibration certificate: the contents that ISO/IEC 17025 7.8.2 and 7.8.4 ask for, results in result
+// lines, conformity, signature, end. It has one to three pages; everything else stands in the report.
 #include <algorithm>
 #include <cmath>
 
@@ -19,14 +19,14 @@ namespace {
 using namespace report_parts;
 namespace words = certificate_words;
 
-constexpr std::size_t most_certified = 60;  // results, where no analyses were chosen
+constexpr std::size_t most_certified = 60;  // results where no analyses were chosen
 
 std::size_t measurand_count(const EvaluatedAnalysis& evaluated) {
     const auto& outputs = evaluated.result->outputs;
     return static_cast<std::size_t>(std::count_if(outputs.begin(), outputs.end(), is_measurand));
 }
 
-/// Those whose results fit, in their order; if none does, the first.
+/// The analyses whose results fit, in their order; if none does, the first.
 std::vector<EvaluatedAnalysis> those_that_fit(const std::vector<EvaluatedAnalysis>& analyses) {
     std::vector<EvaluatedAnalysis> fitting;
     std::size_t count = 0;
@@ -39,7 +39,7 @@ std::vector<EvaluatedAnalysis> those_that_fit(const std::vector<EvaluatedAnalysi
     return fitting;
 }
 
-/// Lines of an address in one.
+/// The lines of an address in one.
 std::string in_one_line(const std::string& text) {
     std::string out;
     for (std::size_t begin = 0; begin <= text.size();) {
@@ -51,7 +51,7 @@ std::string in_one_line(const std::string& text) {
     return out;
 }
 
-/// Whose place it was, where that is not said by the place alone, and the place.
+/// The place as it is stated: the site where one was chosen, and the place.
 std::string stated_place(const Certificate& certificate, const DocumentLanguage& in) {
     const std::string place = in_one_line(certificate.place);
     const std::string site = is_blank(certificate.site) ? "" : in.say_declared(site_of(certificate).words);
@@ -59,7 +59,8 @@ std::string stated_place(const Certificate& certificate, const DocumentLanguage&
     return in.say(words::results_of, {site, place});
 }
 
-/// What was typed; the gap where it is required and not there; empty where it need not be.
+/// The text of a field as it was typed; the gap where it is required and not there; empty where it need not
+/// be.
 std::string stated(const Certificate& certificate, std::string Certificate::*member,
                    const DocumentLanguage& in, Conformity conformity = Conformity::not_stated) {
     const CertificateField& field = certificate_field(member);
@@ -84,7 +85,8 @@ void add_facts(Blocks& blocks, const Certificate& certificate,
     if (!facts.facts.empty()) blocks.push_back(std::move(facts));
 }
 
-/// The specification stands with the statement of conformity; without one, with the method.
+/// Adds the administrative data. The specification stands with the statement of conformity; without one, with
+/// the method.
 void add_administration(Blocks& blocks, const Certificate& certificate, bool conformity_follows,
                         const DocumentLanguage& in) {
     using C = Certificate;
@@ -105,7 +107,8 @@ void add_administration(Blocks& blocks, const Certificate& certificate, bool con
     add_facts(blocks, certificate, members, in);
 }
 
-/// Tables, and above them what they refer to; nothing without tolerances.
+/// The statement of conformity: tables, and above them the specification that they refer to; nothing without
+/// tolerances.
 Blocks conformity_of(const ReportSource& source, const std::vector<EvaluatedAnalysis>& shown,
                      const DocumentLanguage& in) {
     Blocks tables, blocks;
@@ -133,7 +136,8 @@ bool has_digital(const ReportSource& source) {
     return true;
 }
 
-/// Analyses whose results the certificate does not have, and how many those are.
+/// Adds the names of the analyses whose results the certificate does not have, and the number of these
+/// results.
 void add_left_out(Blocks& blocks, const ReportSource& source, const std::vector<EvaluatedAnalysis>& shown,
                   const DocumentLanguage& in) {
     std::size_t all = 0, here = 0, digital = 0;

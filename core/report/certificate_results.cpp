@@ -40,12 +40,12 @@ std::string k_head(const UncertaintyResult& result) {
     return any_degrees(result) ? "k (nu_eff)" : "k";
 }
 
-/// As running text sets it: with its subscripts, a Greek letter alone as such.
+/// The symbol as running text sets it: with its subscripts, a Greek letter alone as such.
 std::string symbol_in_text(const std::string& symbol) {
     return symbol.find_first_of("_^") == std::string::npos ? symbol_to_unicode(symbol) : symbol;
 }
 
-/// "Length of the gauge block (pose 7)", or the symbol alone.
+/// The name of a result: "Length of the gauge block (pose 7)", or the symbol alone.
 std::string name_of_result(const OutputQuantity& quantity, const DocumentLanguage& in) {
     const std::string name = quantity.name.empty() ? symbol_in_text(quantity.symbol) : in.say(quantity.name);
     return quantity.group.empty() ? name : name + " (" + in.say(said_name(quantity.group)) + ")";
@@ -63,7 +63,7 @@ void add_lines(Blocks& blocks, const UncertaintyResult& result, const std::vecto
     blocks.push_back(std::move(lines));
 }
 
-/// The same k for all: said once.
+/// Whether all outputs have the same k, which is then said once.
 bool has_one_k(const UncertaintyResult& result, const std::vector<std::size_t>& outputs,
                const DocumentLanguage& in) {
     return std::all_of(outputs.begin(), outputs.end(), [&](std::size_t i) {
@@ -71,7 +71,7 @@ bool has_one_k(const UncertaintyResult& result, const std::vector<std::size_t>& 
     });
 }
 
-/// p of the results of a table, and intervals that y ± U does not say.
+/// Adds p of the results of a table, and intervals that y ± U does not say.
 void add_coverage_notes(TableBuilder& table, const UncertaintyResult& result,
                         const std::vector<std::size_t>& outputs, const DocumentLanguage& in) {
     double least = 1.0, most = 0.0;
@@ -122,7 +122,7 @@ void add_table(Blocks& blocks, const UncertaintyResult& result, const std::vecto
     blocks.push_back(table.take());
 }
 
-/// Some symbols of the groups side by side, a row a group.
+/// Adds a matrix of some symbols side by side, with a row for each group.
 void add_matrix(Blocks& blocks, const UncertaintyResult& result, const Groups& groups,
                 const std::vector<std::size_t>& columns, const std::string& id, const DocumentLanguage& in) {
     std::vector<std::size_t> shown;
@@ -149,7 +149,7 @@ void add_matrix(Blocks& blocks, const UncertaintyResult& result, const Groups& g
     blocks.push_back(table.take());
 }
 
-/// Symbols of one unit, three at a time.
+/// Adds matrices of symbols of one unit, three at a time.
 void add_matrices(Blocks& blocks, const UncertaintyResult& result, const Groups& groups,
                   const std::string& id, const DocumentLanguage& in) {
     const std::vector<std::size_t> outputs = measurands_of(result, groups.front());
@@ -165,7 +165,7 @@ void add_matrices(Blocks& blocks, const UncertaintyResult& result, const Groups&
     }
 }
 
-/// Groups with the same measurands, in order of appearance.
+/// The classes of groups with the same measurands, in order of appearance.
 std::vector<Groups> classes_of_groups(const UncertaintyResult& result) {
     std::map<std::string, std::size_t> known;
     std::vector<Groups> classes;
@@ -220,7 +220,7 @@ void add_certified_results(Blocks& blocks, const EvaluatedAnalysis& evaluated, c
 
 void add_uncertainty_statement(Blocks& blocks, const std::vector<EvaluatedAnalysis>& analyses,
                                const DocumentLanguage& in) {
-    // The analyses of each sentence, in their order.
+    // Each sentence is said with the analyses that it is about, in their order.
     std::vector<std::pair<std::string, std::string>> said;
     for (const EvaluatedAnalysis& evaluated : analyses) {
         const std::string words = uncertainty_sentences(*evaluated.result, in);

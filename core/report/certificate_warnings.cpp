@@ -12,7 +12,8 @@ namespace covaria {
 
 namespace {
 
-/// The measurand whose probability is farthest from 95 %, where that is not about it; none: all are.
+/// The measurand whose probability is farthest from 95 %, among those whose probability is not about that;
+/// none where all are about 95 %.
 std::optional<std::size_t> farthest_from_95(const UncertaintyResult& result) {
     std::optional<std::size_t> farthest;
     double most = 0.0;

@@ -1,4 +1,4 @@
-// What to say of the results of a certificate before it goes out.
+// Warnings about the results of a certificate before it goes out.
 #pragma once
 
 #include "core/report/report.h"

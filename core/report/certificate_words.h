@@ -1,4 +1,4 @@
-// What a certificate says in words of its own, in English; internal to core/report and to the list of texts.
+// The words that a certificate says of its own, in English; internal to core/report and to the list of texts.
 #pragma once
 
 #include "core/text/document_language.h"
@@ -30,7 +30,7 @@ inline const Phrase date_of_issue{"Date of issue: %1"};
 inline const Phrase end{"End of certificate"};
 inline const Phrase end_of{"End of certificate %1"};
 
-// Results
+// Words about results
 inline const Phrase group{"Group"};
 inline const Phrase quantity{"Quantity"};
 inline const Phrase result{"Result"};
@@ -62,7 +62,7 @@ inline const Phrase by_degrees_of_freedom{
     "are stated, "
     "corresponds to the coverage probability p."};
 
-// Conformity
+// Words about conformity
 inline const Phrase conformity{"Statement of conformity"};
 inline const Phrase unit{"Unit"};
 inline const Phrase tolerance{"Tolerance"};

@@ -15,7 +15,7 @@ namespace {
 using namespace report_parts;
 
 constexpr std::size_t most_compared_budgets = 6;
-constexpr std::size_t most_changes = 15;  ///< of a budget; further components are summed
+constexpr std::size_t most_changes = 15;  ///< rows of a budget; further components are summed
 
 std::string method_words(const UncertaintyResult& result, const DocumentLanguage& in) {
     const Message method = result.trials == 0
@@ -62,7 +62,7 @@ private:
         return is_measurand(after ? *after : *comparison_.output_before(at));
     }
 
-    /// The measurands, and those of them with another budget by falling change of u.
+    /// Chooses the measurands, and by falling change of u those of them that have another budget.
     void choose() {
         for (std::size_t i = 0; i < comparison_.outputs.size(); ++i) {
             const ComparedOutput& at = comparison_.outputs[i];
@@ -160,7 +160,7 @@ private:
     std::size_t in_both_ = 0, changed_ = 0;
 };
 
-/// Both distributions of those outputs whose budgets are shown, where trials gave them.
+/// Adds both distributions of those outputs whose budgets are shown, where trials gave them.
 void add_figures(Blocks& blocks, const EvaluatedAnalysis& evaluated, const std::vector<std::size_t>& outputs,
                  const DocumentLanguage& in) {
     const ResultComparison& comparison = evaluated.before->comparison;
@@ -222,7 +222,7 @@ std::vector<Table> comparison_tables(const ComparedAnalysis& analysis) {
     for (std::size_t i = 0; i < comparison.outputs.size(); ++i)
         for (ComparedPlace& place : compared_places(comparison, i)) places.push_back(std::move(place));
     Table changes = compared_budget_table(comparison, std::move(places));
-    for (Column& column : changes.columns) column.unit.reset();  // the rows say it
+    for (Column& column : changes.columns) column.unit.reset();  // the rows state their units
     results.id = analysis.id + "-" + results.id;
     changes.id = analysis.id + "-" + changes.id;
     return {file_table(results), file_table(changes)};

@@ -1,4 +1,4 @@
-// What is written down about results beside each other: `covaria compare`.
+// The document about results beside each other: `covaria compare`.
 #pragma once
 
 #include <string>
@@ -11,21 +11,23 @@
 namespace covaria {
 
 struct ComparedAnalysis {
-    std::string id;     ///< file-name friendly
-    std::string title;  ///< "pose", "pose beside network"
+    std::string id;     ///< id that may stand in a file's name
+    std::string title;  ///< title such as "pose", "pose beside network"
     ResultComparison comparison;
 };
-/// What is compared, in words.
+/// The two sides of a comparison in words.
 struct ComparedSides {
-    std::string before, after;                         ///< a file, or what was changed in it
+    std::string before, after;                         ///< names of a file, or of what was changed in it
     std::vector<std::string> only_before, only_after;  ///< analyses without a counterpart
 };
 
-/// Measurands with U beside U, then the changed components of the budgets that changed most.
+/// The document of a comparison: measurands with U beside U, then the changed components of the budgets that
+/// changed most.
 ReportDocument build_comparison(const ComparedSides& sides, const std::vector<ComparedAnalysis>& analyses,
                                 const DocumentLanguage& in = {});
 
-/// Everything of one analysis for CSV: "ID-compared-results" and "ID-compared-budget".
+/// The tables of one analysis with everything in them, for CSV: "ID-compared-results" and
+/// "ID-compared-budget".
 std::vector<Table> comparison_tables(const ComparedAnalysis& analysis);
 
 }  // namespace covaria

@@ -14,7 +14,7 @@ const std::array<Phrase, 12> months{Phrase{"January"}, Phrase{"February"}, Phras
                                     Phrase{"April"},   Phrase{"May"},      Phrase{"June"},
                                     Phrase{"July"},    Phrase{"August"},   Phrase{"September"},
                                     Phrase{"October"}, Phrase{"November"}, Phrase{"December"}};
-/// Day, month, year.
+/// A date by day, month and year.
 const Phrase day_month_year{"%1 %2 %3"};
 
 std::optional<unsigned> whole_number(std::string_view figures) {

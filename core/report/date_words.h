@@ -7,8 +7,8 @@
 
 namespace covaria {
 
-/// Of an ISO 8601 date, "2026-11-27", or of two with '/' between them ("17 April 2026 to 18 April 2026").
-/// What is neither stays as it is.
+/// The words for an ISO 8601 date, "2026-11-27", or for two with '/' between them ("17 April 2026 to 18 April
+/// 2026"). A text that is neither stays as it is.
 std::string date_words(const std::string& iso, const DocumentLanguage& in);
 
 }  // namespace covaria

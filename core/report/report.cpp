@@ -17,7 +17,8 @@ namespace {
 
 using namespace report_parts;
 
-/// Of all but the annex: pages break where they must, so that these are up to twenty.
+/// The room of all but the annex, in lines: pages break where they must, so that these are up to twenty
+/// pages.
 constexpr std::ptrdiff_t most_of_two_levels = 40;  // lines of the contents
 constexpr double room_of_contents = double(most_of_two_levels) + 3.0;
 constexpr double room = 20.0 * lines_of_page - room_of_contents, room_before = 3.0 * lines_of_page;
@@ -51,7 +52,7 @@ struct Numbering {
     }
 };
 
-/// Figures are files: every id is there once, whatever the names of groups become.
+/// Names of figures, which are files: every id is there once, whatever the names of groups become.
 struct FigureNaming {
     FileNames charts = {}, pictures = {};
 
@@ -73,7 +74,8 @@ bool is_heading(const ReportBlock& block) {
     return std::holds_alternative<HeadingBlock>(block);
 }
 
-/// A report of a few pages needs none; of many sections those of the first level are enough.
+/// Adds the contents. A report of a few pages needs none; of many sections those of the first level are
+/// enough.
 void add_contents(Blocks& blocks, const DocumentLanguage& in) {
     constexpr double least_lines = 3.0 * lines_of_page;
     const auto first = std::find_if(blocks.begin(), blocks.end(), is_heading);

@@ -11,29 +11,30 @@
 
 namespace covaria {
 
-/// What a report is made of.
+/// The source of a report.
 struct ReportSource {
     const MadeProject& made;
     const std::vector<EvaluatedAnalysis>& analyses;
     const std::vector<FailedAnalysis>& failed;
-    const DocumentLanguage& in = DocumentLanguage::english();  ///< outlives it
+    const DocumentLanguage& in = DocumentLanguage::english();  ///< language, which outlives the source
 };
-/// Title block, model and references, inputs and origin, asset evaluations, budgets, results, distributions,
-/// scene, correlation, notes, provenance; without the analyses and chapters that `contents` leave out.
+/// The report of a project: title block, model and references, inputs and origin, asset evaluations, budgets,
+/// results, distributions, scene, correlation, notes, provenance; without the analyses and chapters that
+/// `contents` leave out.
 ReportDocument build_report(const MadeProject& project, const std::vector<EvaluatedAnalysis>& analyses,
                             const std::vector<FailedAnalysis>& failed, const ReportContents& contents,
                             const DocumentLanguage& in = {});
-/// With the contents that the project states.
+/// The report with the contents that the project states.
 ReportDocument build_report(const MadeProject& project, const std::vector<EvaluatedAnalysis>& analyses,
                             const std::vector<FailedAnalysis>& failed = {}, const DocumentLanguage& in = {});
 
-/// Which of the evaluated analyses' results a certificate states.
+/// The choice of the evaluated analyses whose results a certificate states.
 enum class CertifiedResults {
-    all,      ///< those analyses were chosen
-    that_fit  ///< of a project with more than 60 results only analyses whose results fit; it says which not
+    all,      ///< all of them, because those analyses were chosen
+    that_fit  ///< of a project with more than 60 results the analyses whose results fit; it says which do not
 };
 /// A calibration certificate: the project's certificate section, result lines, conformity with its decision
-/// rule, place for a signature. What is required and missing is a visible gap.
+/// rule, place for a signature. A text that is required and missing is a visible gap.
 ReportDocument build_certificate(const MadeProject& project, const std::vector<EvaluatedAnalysis>& analyses,
                                  const std::vector<FailedAnalysis>& failed = {},
                                  CertifiedResults which = CertifiedResults::that_fit,
@@ -43,8 +44,8 @@ ReportDocument build_certificate(const MadeProject& project, const std::vector<E
 std::vector<std::string> reported_analyses(const Project& project);
 
 enum class DocumentKind { report, certificate };
-/// Of those of the analyses that the project does not leave out; of all, where they were `chosen` by hand.
-/// In that language.
+/// The document, in that language, of those of the analyses that the project does not leave out; of all of
+/// them, where they were `chosen` by hand.
 ReportDocument build_document(DocumentKind kind, const MadeProject& project,
                               const std::vector<EvaluatedAnalysis>& analyses,
                               const std::vector<FailedAnalysis>& failed, bool chosen = false,

@@ -10,19 +10,19 @@ namespace covaria::report_parts {
 
 namespace {
 
-constexpr double frame_lines = 6.0;  // of an analysis: its heading, and what it is without
+constexpr double frame_lines = 6.0;  // lines of an analysis: its heading, and the chapters that it is without
 
-/// One that is not there has no blocks.
+/// A chapter of an analysis; where it has nothing to show, it has no blocks.
 struct AnalysisChapter {
-    std::optional<ReportChapter> chapter;  ///< none: the results, which are always there
+    std::optional<ReportChapter> chapter;  ///< chapter; none: the results, which are always there
     Blocks whole;
     ShortenedChapter shortened = {};
-    bool left_out = false;  ///< for its length
+    bool left_out = false;  ///< whether it is left out for its length
 };
 
 using Chapters = std::vector<AnalysisChapter>;
 
-/// A chart that has nothing to show says why in its title: a sentence instead of an empty frame.
+/// Puts a sentence in the place of an empty frame: a chart that has nothing to show says why in its title.
 void say_what_is_not_drawn(Blocks& blocks) {
     for (ReportBlock& block : blocks)
         if (const auto* plot = std::get_if<PlotBlock>(&block); plot && plot->plot.series.empty())
@@ -34,7 +34,7 @@ bool only_headings(const Blocks& blocks) {
                        [](const ReportBlock& block) { return std::holds_alternative<HeadingBlock>(block); });
 }
 
-/// In the order of the report.
+/// The chapters of an analysis in the order of the report.
 Chapters chapters_of(const ReportSource& source, const EvaluatedAnalysis& evaluated,
                      std::set<std::string>& shown_assets) {
     using enum ReportChapter;
@@ -68,7 +68,7 @@ Chapters chapters_of(const ReportSource& source, const EvaluatedAnalysis& evalua
     return all;
 }
 
-/// What a reader misses most comes first.
+/// The rank of a chapter: the one that a reader misses most comes first.
 int rank_of(const std::optional<ReportChapter>& chapter) {
     using enum ReportChapter;
     static const std::array order{budgets,    before,    setup,       evaluation, assets,
@@ -84,7 +84,7 @@ std::string title_of(const AnalysisChapter& chapter) {
     return {};
 }
 
-/// Only words that lead to what is not there.
+/// Whether the blocks are only words that lead to something that is not there.
 bool says_nothing(const Blocks& blocks) {
     return std::none_of(blocks.begin(), blocks.end(), [](const ReportBlock& block) {
         return !std::holds_alternative<HeadingBlock>(block) && !std::holds_alternative<ParagraphBlock>(block);
@@ -103,7 +103,7 @@ public:
                  const DocumentLanguage& in)
         : contents_(contents), evaluated_(evaluated), chapters_(std::move(chapters)), in_(in) {}
 
-    /// Shows as much as there is room for.
+    /// Shows as much of the chapters as there is room for.
     void fit(double lines) {
         for (const Extent& extent : extents()) {
             shorten_all(extent);
@@ -160,7 +160,7 @@ private:
         }
     }
 
-    /// The results are there; others in their rank while they fit.
+    /// Leaves chapters out: the results stay, and others in their rank while they fit.
     void leave_out(double lines) {
         std::vector<AnalysisChapter*> ranked;
         for (AnalysisChapter& chapter : chapters_) ranked.push_back(&chapter);

@@ -5,8 +5,8 @@
 
 namespace covaria::report_parts {
 
-/// `body`: an analysis after the other, in at most `lines` lines of print, roughly. `annex`: what was
-/// shortened or left out for its length, whole.
+/// `body` has the analyses one after the other, in at most `lines` lines of print, roughly. `annex` has whole
+/// what was shortened or left out for its length.
 struct AnalysisChapters {
     Blocks body, annex;
 };

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double letters_of_line = 105.0;
 constexpr double letters_of_row = 118.0;
-constexpr double tolerated = 1.25;  // a table a little longer than the extent stays whole
+constexpr double tolerated = 1.25;  // times the extent that a table may have and stays whole
 
 double lines_of_text(const std::string& text, double letters) {
     return std::max(1.0, std::ceil(double(text.size()) / letters));
@@ -28,14 +28,14 @@ double lines_of_row(const TableBlock& block, std::size_t row) {
     double most = 1.0;
     for (std::size_t c = 0; c < columns; ++c) {
         const Column& column = table.columns[c];
-        if (number_in(column.cell(row))) continue;  // stands on one line
+        if (number_in(column.cell(row))) continue;  // a number stands on one line
         const std::string text = written(table, column, row, block.view).letters();
         most = std::max(most, lines_of_text(text, std::max(letters, 9.0)));
     }
     return most;
 }
 
-/// On pages of print of 56 lines.
+/// The count of lines on pages of print of 56 lines.
 struct LineCount {
     double operator()(const HeadingBlock& block) const { return block.level <= 2 ? 3.0 : 2.0; }
     double operator()(const ParagraphBlock& block) const {
@@ -54,7 +54,7 @@ struct LineCount {
         for (const Message& note : block.table.notes) lines += lines_of_text(note.english(), letters_of_line);
         return lines;
     }
-    double operator()(const PlotBlock&) const { return 9.0; }  // two stand side by side
+    double operator()(const PlotBlock&) const { return 9.0; }  // two charts stand side by side
     double operator()(const SceneBlock&) const { return 28.0; }
     double operator()(const ProseBlock& block) const {
         return lines_of_text(prose_words(block.spans), letters_of_line) + 0.6;
@@ -63,11 +63,11 @@ struct LineCount {
         return 1.6 + double(std::count(block.text.begin(), block.text.end(), '\n'));
     }
     double operator()(const PictureBlock&) const { return 28.0; }
-    double operator()(const ContentsBlock&) const { return 0.0; }  // comes last
+    double operator()(const ContentsBlock&) const { return 0.0; }  // the contents come last
     double operator()(const SignatureBlock&) const { return 12.0; }
 };
 
-/// Where the rows of a group, as its subhead says it, begin; 0 where the table has none of it.
+/// The row in which those of a group, as its subhead says it, begin; 0 where the table has none of it.
 std::size_t begin_of(const TableBlock& block, const std::string& group) {
     for (const auto& [row, text] : block.table.subheads)
         if (!group.empty() && text == group) return row;
@@ -78,7 +78,7 @@ bool is_budget(const TableBlock& block) {
     return block.table.id.starts_with("budget-");
 }
 
-/// Of a table of so many rows.
+/// The note on a table of `all` rows of which so many are shown.
 Message rows_note(std::size_t all, std::size_t begin, std::size_t shown, const Message& group,
                   Elsewhere elsewhere) {
     const bool annex = elsewhere == Elsewhere::annex;
@@ -128,12 +128,12 @@ Message shown_note(Shown tables, Shown charts, Elsewhere elsewhere) {
                        "request, have the rest.">(tables.some, tables.all, charts.some, charts.all);
 }
 
-/// Rows without sub-heads.
+/// The number of rows without sub-heads.
 std::size_t rows_in(const Table& table) {
     return table.rows - table.subheads.size();
 }
 
-/// Where the rows that are shown end: not within a group, unless it alone is far longer.
+/// The end of the rows that are shown: not within a group, unless it alone is far longer.
 std::size_t end_of(const Table& table, std::size_t begin, std::size_t most) {
     const std::size_t end = begin + std::min(most, table.rows - begin);
     if (end == table.rows || !table.is_subhead(begin)) return end;
@@ -175,7 +175,7 @@ private:
         lost_ = true;
     }
 
-    /// A heading below that of the chapter goes with what it was over.
+    /// Ends a section: a heading below that of the chapter goes with the blocks that it was over.
     void end_section() {
         const auto begin = out_.body.begin() + static_cast<std::ptrdiff_t>(section_.value_or(0));
         const bool words = std::all_of(begin, out_.body.end(), [](const ReportBlock& block) {
@@ -207,8 +207,8 @@ private:
     const Elsewhere elsewhere_;
     const DocumentLanguage& in_;
     std::size_t tables_ = 0, figures_ = 0;
-    std::optional<std::size_t> section_ = {};  ///< where one below the chapter's heading begins
-    bool lost_ = false;                        ///< something of it to the rest
+    std::optional<std::size_t> section_ = {};  ///< begin of a section below the chapter's heading
+    bool lost_ = false;                        ///< whether something of the section went to the rest
     ShortenedChapter out_;
 };
 

@@ -1,5 +1,5 @@
-// How long a report becomes: tables and chapters that do not fit into twenty pages are shortened or left for
-// the annex; internal to core/report.
+// The length of a report: tables and chapters that do not fit into twenty pages are shortened or left for the
+// annex; internal to core/report.
 #pragma once
 
 #include <string>
@@ -9,40 +9,41 @@
 
 namespace covaria::report_parts {
 
-/// What is shown of a chapter.
+/// The extent to which a chapter is shown.
 struct Extent {
-    std::size_t rows = all;     ///< of a table
-    std::size_t tables = all;   ///< of a chapter
-    std::size_t figures = all;  ///< of a chapter
+    std::size_t rows = all;     ///< rows of a table
+    std::size_t tables = all;   ///< tables of a chapter
+    std::size_t figures = all;  ///< figures of a chapter
     std::size_t budget_rows = most_budget_rows;
 
     static constexpr std::size_t all = 1'000'000'000;
 };
 
-/// From everything to the shortest.
+/// The extents from everything to the shortest.
 const std::vector<Extent>& extents();
 
 /// Lines that blocks take on a page of print, roughly.
 double lines_of(const Blocks& blocks);
 inline constexpr double lines_of_page = 56.0;
 
-/// A chapter as it stands in the body, and what it leaves for the annex.
+/// A chapter as it stands in the body, and the rest of it, which is left for the annex.
 struct ShortenedChapter {
     Blocks body, rest;
 };
-/// Where what is left out stands.
+/// The place of blocks that are left out.
 enum class Elsewhere {
     annex,
-    files  ///< and in the annex, if it is asked for
+    files  ///< files, and the annex if it is asked for
 };
-/// Of long tables the rows of the group with the largest expanded uncertainties, or the first ones, are
-/// shown, with a note of where all are.
+/// The chapter shortened. Of long tables the rows of the group with the largest expanded uncertainties, or
+/// the first ones, are shown, with a note of where all are.
 ShortenedChapter shorten(const Blocks& chapter, const Extent& extent, const Name& group, Elsewhere elsewhere,
                          const DocumentLanguage& in);
-/// As long as it may be to fit into `lines`, or the shortest.
+/// The blocks with the largest extent that fits into `lines`, or with the shortest.
 Blocks shortened_to(double lines, const Blocks& blocks, Elsewhere elsewhere, const DocumentLanguage& in);
 
-/// `room` for all that need so much: who needs less than an equal share leaves the rest to the others.
+/// The shares of `room` of those that need so much: one that needs less than an equal share leaves the rest
+/// to the others.
 std::vector<double> shares_of(double room, const std::vector<double>& needs);
 
 }  // namespace covaria::report_parts

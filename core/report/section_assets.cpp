@@ -24,7 +24,8 @@ void add_asset(Blocks& blocks, const ReportSource& source, const EvaluatedAnalys
     blocks.push_back(std::move(references));
 }
 
-/// How far the figures hold: each certificate that is used, with its verdict, and what is assumed.
+/// Adds the validity of the figures: each certificate that is used, with its verdict, and the figures that
+/// are assumed.
 void add_certificates(Blocks& blocks, const ReportSource& source, const EvaluatedAnalysis& evaluated) {
     const FiguresUsed used = figures_used(source.made, evaluated.analysis->id);
     const DocumentLanguage& in = source.in;

@@ -56,13 +56,14 @@ private:
         return tell<"Budget of %1, %2">(label, name);
     }
 
-    /// Who brings it in; where one does all, where its figure comes from.
+    /// The source of a component: its owner or, where one owner brings in all of them, the origin of its
+    /// figure.
     std::string source_of(std::size_t i, bool by_owner) const {
         const BudgetComponent& component = result_.budget.components[row(i).component];
         return by_owner ? component.owner : in_.say(component.origin);
     }
 
-    /// What is not shown as rows of its own, by its sources, the largest share first.
+    /// The components that are not shown as rows of their own, by their sources, the largest share first.
     struct Rest {
         std::string source;
         std::size_t components = 0, sources = 1;
@@ -115,7 +116,7 @@ private:
                       : tell<"%1 further components: %2">(n, source);
     }
 
-    /// Components without a row: which they are, or how many.
+    /// Adds a note on components without a row: their names, or their number.
     void add_note_on_zeros() {
         std::vector<bool> has_row(result_.budget.components.size(), false);
         for (std::size_t i = 0; i < places_.size(); ++i) has_row[row(i).component] = true;
@@ -132,7 +133,7 @@ private:
         table_.note(tell<"Left out, because they contribute nothing (less than 10⁻⁹ of u_c): %1.">(list));
     }
 
-    /// "l_S, calibration"
+    /// The name of a component: "l_S, calibration".
     std::string name_of(const BudgetComponent& component) const {
         const std::string name = in_.say(component.name);
         return component.quantities.size() == 1
@@ -153,7 +154,7 @@ private:
                          {"share of variance", share}});
     }
 
-    /// y, u_c, nu_eff, k, U, p as EA-4/02 wants them stated, by the law of propagation.
+    /// The result line y, u_c, nu_eff, k, U, p as EA-4/02 wants it stated, by the law of propagation.
     Message result_line() const {
         const FirstOrderOutput& first = output_.first_order;
         const Unit& unit = output_.quantity.unit;
@@ -173,7 +174,7 @@ private:
             probability_text(stated_probability(first, result_), in_));
     }
 
-    /// The result that is stated, where it is not that of the line above.
+    /// The line of the result that is stated, where it is not that of the line above.
     Message stated_line() const {
         return tell<"Stated in the results: %1 = %2 (propagation of distributions).">(
             output_label(output_.quantity), result_statement(output_, result_, in_, {}, digits_));
@@ -181,11 +182,11 @@ private:
 
     const DocumentLanguage& in_;
     const UncertaintyResult& result_;
-    static constexpr std::size_t most_sources = 5;  // of further components
+    static constexpr std::size_t most_sources = 5;  // sources of further components
     static constexpr std::size_t most_named = 6;    // components of zero
 
     const std::size_t most_rows_;
-    const int digits_;  ///< of uncertainties
+    const int digits_;  ///< digits of uncertainties
     const OutputResult& output_;
     std::vector<BudgetPlace> places_;
     std::vector<std::string> keys_ = {"quantity",
@@ -202,8 +203,8 @@ private:
     TableBuilder table_;
 };
 
-/// Shares of the variance by the groups of one grouping, a column for each measurand of a group of outputs,
-/// and of the sum of the variances where they have the same dimension.
+/// Shares of the variance by the groups of one grouping, with a column for each measurand of a group of
+/// outputs, and one of the sum of the variances where they have the same dimension.
 class GroupTable {
 public:
     GroupTable(const EvaluatedAnalysis& evaluated, std::string grouping, std::vector<std::size_t> outputs,
@@ -274,7 +275,7 @@ private:
     bool alike_ = true;
 };
 
-/// Which of the groups is shown, and why that one.
+/// The sentence about which of the groups is shown, and why that one.
 Message choice_of_groups(const UncertaintyResult& result) {
     const std::string shown = groups_in_full(result).front();
     const std::size_t all = measurand_groups(result).size(), alike = groups_like_the_first(result).size();
@@ -291,7 +292,7 @@ Message choice_of_groups(const UncertaintyResult& result) {
         "average; the CSV table of budgets has all %3 groups.">(shown, alike, all);
 }
 
-/// Without sensitivity coefficients Monte Carlo answers alone.
+/// Whether an output has a budget: without sensitivity coefficients Monte Carlo answers alone.
 bool has_budget(const OutputResult& output) {
     return !std::isnan(output.first_order.standard_uncertainty);
 }

@@ -7,7 +7,7 @@
 namespace covaria::report_parts {
 namespace {
 
-constexpr std::size_t most_columns = 4;  ///< of contributors in one table
+constexpr std::size_t most_columns = 4;  ///< contributors in one table
 
 void add_words(Blocks& blocks, const UncertaintyResult& result, const DocumentLanguage& in) {
     const Message what = tell<
@@ -25,7 +25,7 @@ void add_words(Blocks& blocks, const UncertaintyResult& result, const DocumentLa
                 contributor_title(c), count_text(c.without.failed_trials, in.numbers())))});
 }
 
-/// Contributors first ... last - 1 as columns.
+/// The table with the contributors first ... last - 1 as columns.
 TableBlock contributor_table(const EvaluatedAnalysis& evaluated, std::size_t first, std::size_t last,
                              const DocumentLanguage& in) {
     const UncertaintyResult& result = *evaluated.result;

@@ -10,7 +10,7 @@
 namespace covaria::report_parts {
 namespace {
 
-constexpr std::size_t largest_matrix = 12;  // beyond it the map alone can be read
+constexpr std::size_t largest_matrix = 12;  // a larger matrix can only be read as a map
 
 double coefficient(const Eigen::MatrixXd& matrix, std::size_t i, std::size_t j) {
     return matrix(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));

@@ -1,4 +1,4 @@
-// Designs in a report: what was asked, what was found, what each row and each target is worth.
+// Designs in a report: the question, the answer, and the worth of each row and each target.
 #include <algorithm>
 
 #include "core/report/report_parts.h"

@@ -9,12 +9,12 @@
 namespace covaria::report_parts {
 namespace {
 
-constexpr std::size_t listed_one_by_one = 24;  // up to here every quantity has a row of its own
-constexpr std::size_t smallest_collapsed = 5;  // so many quantities with equal components share a row
+constexpr std::size_t listed_one_by_one = 24;  // up to this number every quantity has a row of its own
+constexpr std::size_t smallest_collapsed = 5;  // number of quantities with equal components that share a row
 
-/// What must agree for two quantities to share a row: their components with their uncertainties, or, where
-/// several components make one (the axes of a tilted frame), what the components are and the uncertainty they
-/// combine to.
+/// The signature of a quantity, which two of them must have in common to share a row: their components with
+/// their uncertainties or, where several components make one (the axes of a tilted frame), the names of the
+/// components and the uncertainty that they combine to.
 std::string signature(const InputSet& inputs, std::size_t index) {
     const InputQuantity& quantity = inputs.quantities[index];
     std::string text = quantity.unit.text() + "\n" +
@@ -34,7 +34,7 @@ std::string signature(const InputSet& inputs, std::size_t index) {
 
 using Members = std::vector<std::size_t>;
 
-/// Quantities in order of first appearance; one list per row of the table.
+/// The quantities of each row of the table, in order of first appearance.
 std::vector<Members> rows_of(const InputSet& inputs) {
     std::map<std::string, Members> alike;
     for (std::size_t i = 0; i < inputs.quantities.size(); ++i) alike[signature(inputs, i)].push_back(i);
@@ -51,15 +51,15 @@ std::vector<Members> rows_of(const InputSet& inputs) {
     return rows;
 }
 
-/// The row of quantities, and of one whose components combine a row for each of them.
+/// Adds the row of quantities and, where it is one whose components combine, a row for each of these.
 void add_rows(const InputSet& inputs, const Members& members, std::vector<InputRow>& rows) {
     rows.push_back({members});
     const std::size_t shares = inputs.quantities[members.front()].shares.size();
-    if (members.size() > 1) return;  // their shares differ from one to the next: see the CSV table
+    if (members.size() > 1) return;  // their shares differ from one to the next, as the CSV table shows
     for (std::size_t k = 0; shares > 1 && k < shares; ++k) rows.push_back({members, k, true});
 }
 
-/// Those of quantities that add their components are in the rows of these.
+/// Adds the stated correlations; those of quantities that add their components are in the rows of these.
 void add_correlations(Blocks& blocks, const EvaluatedAnalysis& evaluated, const DocumentLanguage& in) {
     const InputSet& inputs = evaluated.result->inputs;
     if (inputs.correlations.empty()) return;

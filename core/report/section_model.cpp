@@ -1,5 +1,5 @@
-// Measurement models: summary and equations with the standards that they are of. Papers are on the page of
-// the model (help, `covaria describe`).
+// Measurement models: summary and equations with the standards that these come from. Papers are on the page
+// of the model (help, `covaria describe`).
 #include <algorithm>
 
 #include "core/report/report_parts.h"

@@ -1,5 +1,5 @@
-// Notes (warnings and limits of the runs) and provenance. What the models' and assets' descriptions say is on
-// their pages.
+// Notes (warnings and limits of the runs) and provenance. The descriptions of models and assets are on their
+// pages.
 #include <algorithm>
 #include <string>
 

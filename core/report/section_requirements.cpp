@@ -19,7 +19,7 @@ namespace words = certificate_words;
 
 using Verdicts = std::vector<RequirementResult>;
 
-/// So many that no U that exceeds its target is written as the target is.
+/// The number of digits with which no U that exceeds its target is written as the target is.
 int digits_of_targets(const Verdicts& verdicts, const EvaluatedAnalysis& evaluated) {
     const int everywhere = evaluated.analysis->style.digits.value_or(2);
     int digits = everywhere;
@@ -85,7 +85,7 @@ Message remark_on(const ReverseBudget::Reduction& reduction) {
 
 constexpr int digits_of_reductions = 3;
 
-/// As it is printed, it suffices.
+/// The needed uncertainty rounded down, so that it suffices as it is printed.
 Quantity sufficient(const Measured& needed) {
     const Quantity exact = needed.in({});
     return {rounded_down(exact.value, digits_of_reductions), exact.unit};
@@ -118,7 +118,7 @@ void add_reductions(Blocks& blocks, const RequirementResult& r, const EvaluatedA
     blocks.push_back(table.take());
 }
 
-/// With the digits that U lets mean something, and one more.
+/// The limits of acceptance, with the digits that U lets mean something, and one more.
 std::string limits_text(const RequirementResult& r, const OutputResult& output, double guard,
                         const NumberLocale& locale) {
     const Unit& unit = output.quantity.unit;
@@ -145,7 +145,7 @@ std::string decision_words(const RequirementResult& r, const DocumentLanguage& i
     return in.say(r.decision == Decision::accept ? words::passes : words::fails);
 }
 
-/// Of a decision that was taken.
+/// The sentence on the risks of a decision that was taken.
 Message risks_of(const RequirementResult& r, const OutputQuantity& quantity, const DocumentLanguage& in) {
     const auto text = [&in](double probability) { return probability_text(probability, in.numbers()); };
     const Message symbol = output_label(quantity);
@@ -164,7 +164,7 @@ Message risks_of(const RequirementResult& r, const OutputQuantity& quantity, con
                      "prior: consumer's %3, producer's %4.">(symbol, risk, consumer, producer);
 }
 
-/// JCGM 106 9.5, of those that the rule accepts, or rejects.
+/// The sentence on the risks of items that the rule accepts, or rejects (JCGM 106 9.5).
 Message conditional_risks_of(const RequirementResult& r, const OutputQuantity& quantity,
                              const DocumentLanguage& in) {
     const auto text = [&in](double probability) { return probability_text(probability, in.numbers()); };
@@ -190,7 +190,7 @@ void add_conformity_row(TableBuilder& table, const RequirementResult& r, const O
                number(r.capability_index)});
 }
 
-/// Table of conformity; nothing without tolerances.
+/// The table of conformity; nothing without tolerances.
 std::optional<TableBlock> conformity_table(const Verdicts& verdicts, const EvaluatedAnalysis& evaluated,
                                            const Message& title, const DocumentLanguage& in) {
     if (std::none_of(verdicts.begin(), verdicts.end(), has_tolerance)) return std::nullopt;

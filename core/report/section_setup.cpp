@@ -11,7 +11,7 @@
 namespace covaria::report_parts {
 namespace {
 
-constexpr std::size_t most_setup_rows = 60;  // of a set-up table; the file has them all
+constexpr std::size_t most_setup_rows = 60;  // rows of a set-up table; the file has them all
 
 std::string quantity_text(double value, const Unit& unit, const DocumentLanguage& in) {
     return grouped_digits(format_typed(without_residue(value, unit)), in.numbers()) + unit_after_number(unit);
@@ -38,7 +38,8 @@ std::string yes_or_no(bool yes, const DocumentLanguage& in) {
 std::string name_of_asset(const std::string& id, const ReportSource& source) {
     const AssetLibrary::Entry* entry = source.made.assets().find(id);
     if (entry && !entry->name.empty()) return entry->name;
-    const AnalysisEntry* analysis = source.made.project().find_analysis(id);  // one that gives such an asset
+    // The id may be of an analysis that gives such an asset.
+    const AnalysisEntry* analysis = source.made.project().find_analysis(id);
     return analysis && !analysis->name.empty() ? analysis->name : id;
 }
 
@@ -128,7 +129,7 @@ void add_setup_fields(Blocks& blocks, const SetupSchema& schema, const Setup& se
         if (field.section != section && !field.section.empty())
             heading = source.in.say_declared(field.section);
         section = field.section;
-        if (field.several_lines) {  // as the model sets them
+        if (field.several_lines) {  // the equations stand as the model sets them
             tables.insert(tables.end(), equations.begin(), equations.end());
             continue;
         }

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t most_indices = 16;
 
-/// Share of the law of propagation of all components of the factor.
+/// The share of the law of propagation that all components of the factor have.
 double first_order_share(const UncertaintyResult& result, std::size_t output, const SobolIndex& index) {
     double share = 0.0;
     for (const BudgetRow& row : result.budget.rows[output])

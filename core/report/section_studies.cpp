@@ -1,4 +1,5 @@
-// Studies in a report: what was varied, best and worst points, charts, what has no values.
+// Studies in a report: the numbers that were varied, best and worst points, charts, and points without
+// values.
 #include <algorithm>
 
 #include "core/report/report_parts.h"
@@ -11,8 +12,8 @@ namespace covaria::report_parts {
 
 namespace {
 
-constexpr std::size_t most_points = 30;     // of a sweep that is printed in full
-constexpr std::size_t most_quantities = 8;  // of the table of best and worst points
+constexpr std::size_t most_points = 30;     // points of a sweep that is printed in full
+constexpr std::size_t most_quantities = 8;  // quantities that a table of points shows
 
 Message range_of(const StudyAxisValues& axis, const DocumentLanguage& in) {
     const auto number = [&in](double value) {

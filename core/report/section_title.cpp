@@ -1,4 +1,4 @@
-// Title block: what was evaluated, and the expanded uncertainties at a glance.
+// The title block: the analyses that were evaluated, and the expanded uncertainties at a glance.
 #include <algorithm>
 
 #include "core/project/stated_requirements.h"
@@ -37,7 +37,7 @@ Message not_evaluated(const FailedAnalysis& failed) {
                : tell<"Study \"%1\" not evaluated: %2: %3.">(failed.study, name, failed.cause);
 }
 
-/// Empty: nothing is required of its results.
+/// The words on how many requirements are met; empty where nothing is required of the results.
 Message requirements_met(const EvaluatedAnalysis& evaluated, const Project& project) {
     const std::vector<RequirementResult> verdicts = judge(*evaluated.result, project, evaluated.analysis->id);
     if (verdicts.empty()) return {};

@@ -44,7 +44,7 @@ void TableBuilder::columns(const Table& table, const std::vector<std::string>& k
                 return fill_placeholders<std::string>(in_.say_declared(from.head), unit);
             };
             column.title = from.is_symbol ? symbols_text(from.head) : running_text(words());
-            column.unit.reset();  // the head has it
+            column.unit.reset();  // the head states it
         }
         if (from.unit) column.rule.form = form_of(table, from, *from.unit, block_.view);
         column.hidden = hidden;

@@ -1,4 +1,4 @@
-// The uncertainty budget.
+// The columns of an uncertainty budget.
 #include <algorithm>
 #include <memory>
 #include <set>
@@ -17,7 +17,7 @@ namespace {
 using Scale = Measured::Scale;
 using Places = std::shared_ptr<const std::vector<BudgetPlace>>;
 
-/// A line of a budget and what it is about.
+/// A line of a budget with its component and output.
 struct BudgetLine {
     const OutputQuantity& output;
     const BudgetRow& row;
@@ -33,14 +33,15 @@ std::function<Cell(std::size_t)> of_line(const UncertaintyResult& result, const 
     };
 }
 
-/// All components of a quantity are in its unit, whatever unit each was stated in.
+/// The unit of a component: all components of a quantity are in its unit, whatever unit each was stated in.
 const Unit& unit_of(const BudgetComponent& c) {
     const bool is_of_one = c.quantities.size() == 1 && c.quantity_unit.dimension() == c.unit.dimension();
     return is_of_one ? c.quantity_unit : c.unit;
 }
 
-/// The estimate of a component that several quantities share would be that of one of them. It is in the row's
-/// unit, or has its own where the component is of another dimension than its quantity.
+/// The estimate of a component; none where several quantities share it, since it would be that of one of
+/// them. It is in the row's unit, or has its own where the component is of another dimension than its
+/// quantity.
 Cell estimate_cell(const BudgetComponent& c, const NumberLocale& numbers) {
     if (c.quantities.size() > 1) return {};
     if (unit_of(c).dimension() == c.quantity_unit.dimension())
@@ -49,7 +50,7 @@ Cell estimate_cell(const BudgetComponent& c, const NumberLocale& numbers) {
     return grouped_digits(format_typed(own.from_si(c.estimate)), numbers) + unit_after_number(own);
 }
 
-/// Whether the row is the first about its quantity, where its estimate stands.
+/// Whether each row is the first about its quantity, where its estimate stands.
 std::vector<bool> begin_quantities(const UncertaintyResult& result, const std::vector<BudgetPlace>& places) {
     std::set<std::tuple<std::size_t, std::string, std::string, double>> known;
     std::vector<bool> begin;
@@ -89,7 +90,8 @@ std::optional<Unit> common_unit(const UncertaintyResult& result, const std::vect
     return result.outputs[places.front().output].quantity.unit;
 }
 
-/// That of the component at a place, which correlated ones share; null: not evaluated, or left out.
+/// The Sobol index of the component at a place, which correlated ones share; null where it is not evaluated,
+/// or left out.
 const SobolIndex* sobol_at(const UncertaintyResult& result, const BudgetPlace& place) {
     if (place.output >= result.sobol.size()) return nullptr;
     const std::size_t component = result.budget.rows[place.output][place.row].component;
@@ -104,7 +106,7 @@ bool has_interactions(const UncertaintyResult& result, const BudgetPlace& place)
     return index && index->total > detail::least_total_index;
 }
 
-/// For the window: files and reports have a table of them.
+/// Adds columns of Sobol indices for the window; files and reports have a table of them.
 void add_sobol_columns(Table& table, const UncertaintyResult& result, const Places& places) {
     const auto add = [&](const char* key, double SobolIndex::*share) -> Column& {
         return table

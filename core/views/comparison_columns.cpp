@@ -82,7 +82,7 @@ private:
         });
     }
 
-    /// "U before", "U after".
+    /// Adds a number of both results: "U before", "U after".
     void both(const std::string& key, const std::string& symbol, Number number, Scale scale,
               const std::string& help, bool pure = false) {
         const auto cell = [=](const OutputResult* of, const Unit& unit) -> Cell {
@@ -126,7 +126,7 @@ struct ComponentPair {
     const BudgetRow* row_after;
     const BudgetComponent* before;
     const BudgetComponent* after;
-    double change;           ///< of the variance
+    double change;           ///< change of the variance
     double variance_before;  ///< u_c^2 of the output
     bool changed;
     const BudgetComponent& either() const { return after ? *after : *before; }

@@ -12,8 +12,8 @@ namespace {
 
 using plot_parts::PlottedOutput;
 
-/// Probability density as a line: through the middles of the cells of the trials, else of the law of
-/// propagation. Without x where the output has no distribution.
+/// The probability density as a line: through the middles of the cells of the trials, else of the law of
+/// propagation. It is without x where the output has no distribution.
 PlotSeries density_line(const PlottedOutput& y) {
     PlotSeries line;
     const FirstOrderOutput& first = y.output().first_order;
@@ -30,7 +30,8 @@ PlotSeries density_line(const PlottedOutput& y) {
     return line;
 }
 
-/// The axis shows the middle of every distribution: extreme tails would squeeze the rest.
+/// Extends the axis to the middle of the distribution, without its extreme tails, which would squeeze the
+/// rest.
 void extend(PlotAxis& axis, const PlottedOutput& y, bool first) {
     const MonteCarloOutput* trials = y.trials();
     const double u = trials && std::isfinite(trials->standard_uncertainty)
@@ -48,7 +49,7 @@ struct MarkedEstimate {
     SeriesRole role;
 };
 
-/// With one power of ten, that of the axis.
+/// Marks the estimates with one power of ten, that of the axis.
 void mark_estimates(PlotSpecification& plot, const std::vector<MarkedEstimate>& marked) {
     const double largest = std::max(std::abs(plot.x.low), std::abs(plot.x.high));
     const PlottedOutput& last = marked.back().y;
@@ -66,7 +67,7 @@ PlotSpecification compared_distributions_plot(const ResultComparison& comparison
     const ComparedOutput& at = comparison.outputs[output];
     PlotSpecification plot;
     std::vector<MarkedEstimate> marked;
-    DisplayUnits shown = units;  // one unit for both
+    DisplayUnits shown = units;  // both have one unit
     if (at.in_both()) shown.choose(units.of(comparison.output_after(at)->quantity.unit));
     const auto add = [&](const UncertaintyResult& result, std::optional<std::size_t> index,
                          const Phrase& phrase, SeriesRole role) {

@@ -20,8 +20,8 @@ Text owner_of(const BudgetComponent& component, Of part) {
     return symbols_text(id.substr(0, end));
 }
 
-/// Labels that several rows have get what their component is of: by its name ("Tracker 2"), or from its id:
-/// "b_1.tracker.azimuth".
+/// The labels, of which those that several rows have get the owner of their component before them: by its
+/// name ("Tracker 2"), or from its id: "b_1.tracker.azimuth".
 std::vector<Text> told_apart(std::vector<Text> labels, const std::vector<const BudgetComponent*>& components,
                              Of part) {
     std::map<Text, int> uses;
@@ -41,7 +41,7 @@ Text label_of(const BudgetComponent& component, bool alone, const DocumentLangua
     if (component.quantities.size() != 1) return component.name.empty() ? symbols_text(component.id) : name;
     const Text symbol = symbol_text(component.quantities.front());
     if (alone || component.name.empty()) return symbol;
-    const bool says_it = name.letters().starts_with(symbol.letters() + ", ");  // "d_4, range"
+    const bool says_it = name.letters().starts_with(symbol.letters() + ", ");  // a name such as "d_4, range"
     return says_it ? name : symbol + ", " + name;
 }
 

@@ -11,16 +11,16 @@
 
 namespace covaria {
 
-/// "b₁ₓ" if that names the component among these rows, else "b₁ₓ, calibration"; the name alone where several
-/// quantities share the component, after what it is of: "b₁: Laser tracker, azimuth".
+/// Labels of components: "b₁ₓ" if that names the component among these rows, else "b₁ₓ, calibration"; where
+/// several quantities share the component the name alone, after its owner: "b₁: Laser tracker, azimuth".
 std::vector<Text> component_labels(const std::vector<const BudgetComponent*>& components,
                                    const DocumentLanguage& in);
-/// Of the components of these rows.
+/// Labels of the components of these rows.
 std::vector<Text> component_labels(const UncertaintyBudget& budget, const std::vector<BudgetRow>& rows,
                                    const DocumentLanguage& in);
 
-/// The column "label" of a table with a row for each of them, for the window. They are made when a cell is
-/// asked for: files of thousands of rows have none.
+/// Adds the column "label" to a table with a row for each of them, for the window. They are made when a cell
+/// is asked for, because files of thousands of rows have none.
 void add_label_column(Table& table, std::function<std::vector<Text>()> labels);
 
 }  // namespace covaria

@@ -19,7 +19,7 @@ constexpr CorrelatedComponent first_side{&ComponentCorrelation::first, "label", 
 constexpr CorrelatedComponent other_side{&ComponentCorrelation::second, "other label", "other symbol",
                                          "other component", "other id"};
 
-/// Of each component: the quantities that have it.
+/// The symbols of the quantities that have each component.
 std::vector<Symbols> symbols_of_components(const InputSet& inputs) {
     std::vector<Symbols> symbols(inputs.components.size());
     for (const InputQuantity& quantity : inputs.quantities)

@@ -22,7 +22,7 @@ PlotSpecification plot_of(const DesignResult& result, const char* chart, const s
     return plot;
 }
 
-/// What the ratios are relative to: the targets, or U of the present design.
+/// The ratios of U to the targets, or to U of the present design where there is no target.
 std::vector<double> ratios(const DesignResult& result, bool before) {
     std::vector<double> ratios;
     for (const DesignGoal& goal : result.goals) {
@@ -59,7 +59,8 @@ PlotSpecification outputs_plot(const DesignResult& result, const DocumentLanguag
     return plot;
 }
 
-/// "3: −38 %": what the last of so many rows has given.
+/// The chart of the objective against the number of rows, which tells what the last of so many rows has
+/// given: "3: −38 %".
 PlotSpecification curve_plot(const DesignResult& result, const DocumentLanguage& language) {
     PlotSpecification plot = plot_of(result, "curve", language.say(plot_words::more_rows));
     plot.x.title = language.say(plot_words::rows);

@@ -1,4 +1,4 @@
-// The charts of what the search for a design found, as plot specifications.
+// The charts of the result of a search for a design, as plot specifications.
 #pragma once
 
 #include <vector>
@@ -9,8 +9,8 @@
 
 namespace covaria {
 
-/// Those there is something for: ratios before and after, objective against number of rows, what each row is
-/// worth, cost against uncertainty, the way of the search.
+/// The charts that there is something for: ratios before and after, objective against number of rows, the
+/// worth of each row, cost against uncertainty, the way of the search.
 std::vector<PlotSpecification> design_plots(const DesignResult& result,
                                             const DocumentLanguage& language = {});
 

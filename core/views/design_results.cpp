@@ -34,7 +34,7 @@ Cell number_cell(const std::optional<double>& number) {
     return number ? Cell(*number) : Cell();
 }
 
-/// Cost of a unit less of the target.
+/// The cost of a unit less of the target.
 std::optional<double> price_in(const Unit& unit, const DesignGoal& goal) {
     if (!goal.price_of_target) return {};
     return *goal.price_of_target * unit.interval_to_si(1.0);
@@ -49,7 +49,7 @@ Table table_of(const std::string& id, const std::string& title, const std::vecto
 Table outputs_table(const DesignResult& result) {
     Table table{"outputs", "Uncertainties"};
     table.add("output");
-    table.add("unit").hide();                                   // each number has its own
+    table.add("unit").hide();                                   // each number has its own unit
     table.add("target").print("target uncertainty").figure(4);  // the other targets are points
     for (const char* head : {"U before", "U", "U by Monte Carlo"}) table.add(head).figure(4);
     table.add("validated (clause 8)");
@@ -159,7 +159,7 @@ Table reasons_table(const DesignResult& result) {
     return table;
 }
 
-/// Neither empty throughout, nor "no", nor zero, nor the unit one.
+/// Whether a column says something: it is neither empty throughout, nor "no", nor zero, nor the unit one.
 bool says_something(const Table& table, const Column& column) {
     for (std::size_t row = 0; row < table.rows; ++row) {
         const Cell cell = column.cell(row);
@@ -175,10 +175,10 @@ bool says_something(const Table& table, const Column& column) {
     return false;
 }
 
-/// Cells as people read them, columns flush.
+/// Writes cells as people read them, with columns flush.
 void write_table(std::ostringstream& out, const std::vector<std::vector<std::string>>& rows) {
     std::vector<std::size_t> widths;
-    const auto width = [](const std::string& text) {  // of UTF-8
+    const auto width = [](const std::string& text) {  // width of a text in UTF-8
         return static_cast<std::size_t>(
             std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
     };

@@ -1,4 +1,4 @@
-// What the search for a design found, as tables and as JSON.
+// The result of a search for a design, as tables and as JSON.
 #pragma once
 
 #include <string>
@@ -9,13 +9,13 @@
 
 namespace covaria {
 
-/// "outputs", and as far as there are any "values", "rows", "gains", "sources", "curve", "front", "path",
-/// "reasons"; full precision.
+/// The tables of a design, with full precision: "outputs", and as far as there are any "values", "rows",
+/// "gains", "sources", "curve", "front", "path", "reasons".
 std::vector<Table> design_tables(const DesignResult& result);
-/// Of those what people read of a design: rounded, without the way of the search and without columns that say
-/// nothing.
+/// The tables that people read of a design: rounded, without the way of the search and without columns that
+/// say nothing.
 std::vector<Table> readable_design_tables(const DesignResult& result);
-/// What people read on a terminal.
+/// The text that people read on a terminal.
 std::string design_text(const DesignResult& result);
 
 }  // namespace covaria

@@ -1,4 +1,4 @@
-// Input quantities and their components.
+// The columns of input quantities and their components.
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -13,7 +13,7 @@ namespace {
 
 using Scale = Measured::Scale;
 
-/// A row and what it is about.
+/// A row of the table, with the set that it is about.
 struct InputLine {
     const InputSet& inputs;
     const InputRow& row;
@@ -47,7 +47,8 @@ Cell symbols_of(L l) {
     return symbols;
 }
 
-/// Of the quantities of a table, each computed once: a quantity with hundreds of shares has as many rows.
+/// The figures of the quantities of a table, each computed once: a quantity with hundreds of shares has as
+/// many rows.
 class QuantityFigures {
 public:
     struct Figures {
@@ -66,7 +67,7 @@ private:
     std::unordered_map<std::size_t, Figures> figures_;
 };
 
-/// Of a part of the quantity.
+/// The standard uncertainty of a part of the quantity.
 double part_uncertainty(L l) {
     return std::abs(l.share()->factor) * l.component()->distribution.standard_uncertainty();
 }
@@ -79,7 +80,8 @@ Message row_distribution(L l) {
     return c->held ? tell<"%1, constant">(title) : title;
 }
 
-/// The origin that all components of the quantity have in common: "typed", else nothing.
+/// The origin that all components of the quantity have in common, such as "typed"; empty where they have
+/// none.
 Message common_origin(L l) {
     const std::vector<Share>& shares = l.quantity().shares;
     const Message& origin = l.component_of(shares.front()).origin;
@@ -127,7 +129,7 @@ private:
         });
     }
 
-    /// Of what is computed of a row's quantity.
+    /// Adds a column of figures that are computed for a row's quantity.
     template <class Get>
     Column& add_of_figures(const char* key, Get get) {
         return table_.add(key,
@@ -137,7 +139,7 @@ private:
                           });
     }
 
-    /// Of the component of the row's share; nothing without.
+    /// Adds a column about the component of the row's share; its cells are empty where the row has no share.
     template <class Get>
     void add_of_component(const char* key, Get get) {
         add(key, [get](L l) { return l.row.share ? Cell(get(l, *l.component())) : Cell(); });
@@ -165,7 +167,7 @@ private:
             .of_row({"estimate", "u"});
     }
 
-    /// What print says in one row, of the quantity or of a part of it.
+    /// Adds the columns that print has in one row, about the quantity or a part of it.
     void add_row() {
         add("row distribution", [](L l) -> Cell { return row_distribution(l); })
             .print("Distribution")

@@ -1,12 +1,12 @@
-// What charts of results, comparisons, studies and designs say, in English; internal to core/report and to
-// the list of texts.
+// The words of charts of results, comparisons, studies and designs, in English; internal to core/report and
+// to the list of texts.
 #pragma once
 
 #include "core/text/document_language.h"
 
 namespace covaria::plot_words {
 
-// Distributions
+// Words about distributions
 inline const Phrase monte_carlo{"Monte Carlo"};
 inline const Phrase run_for_distribution{"Run Monte Carlo to see the distribution of %1"};
 inline const Phrase run_for_quantiles{"Run Monte Carlo to see the quantiles of %1"};
@@ -28,7 +28,7 @@ inline const Phrase standard_quantile{"quantile of the standard normal distribut
 inline const Phrase quantile{"quantile of %1"};
 inline const Phrase short_quantile{"quantile"};
 
-// Contributions, correlation, convergence
+// Words about contributions, correlation, convergence
 inline const Phrase nothing_influences{
     "No input quantity with an uncertainty influences %1: give its inputs components of uncertainty"};
 inline const Phrase of_second_order{
@@ -53,7 +53,7 @@ inline const Phrase trials{"number of trials"};
 inline const Phrase standard_errors{"± 2 standard errors"};
 inline const Phrase final_u{"final u %1"};
 
-// Comparisons
+// Words about comparisons
 inline const Phrase before{"before"};
 inline const Phrase after{"after"};
 inline const Phrase distributions{"Distributions of %1"};
@@ -63,14 +63,14 @@ inline const Phrase budget_unchanged{"The budget of %1 has not changed"};
 inline const Phrase budget_changes{"Changes of the budget of %1"};
 inline const Phrase change_of_variance{"change, relative to the variance before"};
 
-// Studies
+// Words about studies
 inline const Phrase uncertainty{"uncertainty"};
 inline const Phrase as_set_up{"as set up: %1"};
 inline const Phrase slice_at{"%1 at %2 = %3"};
 inline const Phrase run_study{"Run the study “%1” to see it"};
 inline const Phrase no_values{"No grid point of “%1” has values: %2"};
 
-// Designs
+// Words about designs
 inline const Phrase before_and_after{"Uncertainties before and after"};
 inline const Phrase relative_to_target{"U / target"};
 inline const Phrase relative_to_present{"U relative to the present design"};

@@ -19,11 +19,11 @@ using plot_parts::histogram_bars;
 using plot_parts::nothing_to_show;
 using plot_parts::PlottedOutput;
 
-constexpr double tail_left_out = 1e-4;  // of the trials, on each side of the axis
-constexpr double cells_per_u = 12.0;    // at most: finer cells are not told apart in print
+constexpr double tail_left_out = 1e-4;  // part of the trials on each side of the axis
+constexpr double cells_per_u = 12.0;    // the most cells: finer ones are not told apart in print
 constexpr std::size_t curve_points = 161;
 
-/// Empty if the output has a distribution to show, else why not.
+/// The reason why there is no distribution; empty if the output has one to show.
 Text missing_distribution(const PlottedOutput& y, const Phrase& run) {
     const MonteCarloOutput* trials = y.trials();
     if (!trials) return y.language().say_text(run, {y.label()});
@@ -32,20 +32,21 @@ Text missing_distribution(const PlottedOutput& y, const Phrase& run) {
     return {};
 }
 
-/// What the width of a picture is measured by: u, or a quarter of the interval where u is infinite.
+/// The spread that the width of a picture is measured by: u, or a quarter of the interval where u is
+/// infinite.
 double spread_of(const MonteCarloOutput& mc) {
     return std::isfinite(mc.standard_uncertainty) ? mc.standard_uncertainty
                                                   : 0.25 * (mc.symmetric.high - mc.symmetric.low);
 }
 
-/// How many cells are joined into one, so that their width suits the number of trials: 3.49 u N^(-1/3), D. W.
-/// Scott, On optimal and data-based histograms, Biometrika 66 (1979) 605-610.
+/// The number of cells that are joined into one, so that their width suits the number of trials: 3.49 u
+/// N^(-1/3), D. W. Scott, On optimal and data-based histograms, Biometrika 66 (1979) 605-610.
 std::size_t cells_to_join(const Histogram& histogram, double u, double trials) {
     const auto cells = static_cast<double>(histogram.counts.size());
     const double width = (histogram.high - histogram.low) / cells;
     const double wanted = std::max(3.49 * u / std::cbrt(trials), u / cells_per_u);
     const double joined = std::round(wanted / width);
-    // Cells with no width that a double can have are as they are.
+    // Cells with no width that a double can have stay as they are.
     return std::isfinite(joined)
                ? static_cast<std::size_t>(std::clamp(joined, 1.0, std::max(1.0, 0.25 * cells)))
                : 1;
@@ -56,14 +57,14 @@ double trials_of(const Histogram& histogram) {
         std::accumulate(histogram.counts.begin(), histogram.counts.end(), histogram.below + histogram.above));
 }
 
-/// Equal ones.
+/// Bins of equal width.
 struct Bins {
     double low = 0.0, width = 0.0;
     std::size_t count = 0;
 };
 
-/// From the smallest trial to the largest, where the cells reach as far: a quantity that cannot pass a bound
-/// has no bar beyond it.
+/// The bins from the smallest trial to the largest, where the cells reach as far: a quantity that cannot pass
+/// a bound has no bar beyond it.
 Bins bins_of(const MonteCarloOutput& mc, double trials) {
     const Histogram& histogram = mc.histogram;
     const std::size_t cells = histogram.counts.size();
@@ -78,8 +79,8 @@ Bins bins_of(const MonteCarloOutput& mc, double trials) {
     return {low, to_largest ? room * wanted / count : wanted, static_cast<std::size_t>(count)};
 }
 
-/// How many trials of the cells lie below `x`; those of one cell are evenly over as much of it as lies
-/// between the bins' ends.
+/// The number of trials of the cells that lie below `x`; those of one cell are evenly over as much of it as
+/// lies between the bins' ends.
 double trials_below(const Histogram& histogram, const Bins& bins, double x) {
     const double step = (histogram.high - histogram.low) / static_cast<double>(histogram.counts.size());
     const double end = bins.low + bins.width * static_cast<double>(bins.count);
@@ -87,7 +88,7 @@ double trials_below(const Histogram& histogram, const Bins& bins, double x) {
     for (std::size_t i = 0; i < histogram.counts.size(); ++i) {
         const double from = std::max(histogram.low + step * static_cast<double>(i), bins.low),
                      to = std::min(histogram.low + step * static_cast<double>(i + 1), end);
-        const bool is_before = x >= std::min(from, end);  // of a cell with no room of its own
+        const bool is_before = x >= std::min(from, end);  // decides for a cell with no room of its own
         const double part = to > from   ? std::clamp((x - from) / (to - from), 0.0, 1.0)
                             : is_before ? 1.0
                                         : 0.0;
@@ -96,7 +97,7 @@ double trials_below(const Histogram& histogram, const Bins& bins, double x) {
     return below;
 }
 
-/// The axis leaves out the extreme tails, which would squeeze the rest.
+/// Sets the range of the axis, which leaves out the extreme tails, because they would squeeze the rest.
 void set_range(PlotAxis& axis, const PlotSeries& bars, const PlottedOutput& y) {
     const double half = 0.5 * bars.bar_width;
     double low = bars.x.back(), high = bars.x.front(), sum = 0.0;
@@ -216,7 +217,7 @@ PlotSpecification normal_quantile_plot(const UncertaintyResult& result, std::siz
     plot.y.unit = y.unit();
     const double largest =
         std::max(std::abs(y.value(mc.quantiles.front())), std::abs(y.value(mc.quantiles.back())));
-    plot.y.exponent = y.exponent_of_results(largest);  // as the distribution beside it
+    plot.y.exponent = y.exponent_of_results(largest);  // the exponent is that of the distribution beside it
     PlotSeries points{
         language.say(plot_words::monte_carlo), SeriesKind::points, SeriesRole::monte_carlo, {}, {}, {}, 0.0};
     for (std::size_t i = 0; i < n; ++i) {

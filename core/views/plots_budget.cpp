@@ -1,4 +1,4 @@
-// What the uncertainty of an output comes from, and how outputs depend on each other.
+// The sources of the uncertainty of an output, and the dependence of outputs on each other, as charts.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -22,11 +22,11 @@ using plot_parts::PlottedOutput;
 
 struct Bars {
     std::vector<Text> labels;
-    std::vector<double> share;  ///< in %
-    std::vector<double> alone;  ///< in %, one at a time; empty if not evaluated
+    std::vector<double> share;  ///< shares in %
+    std::vector<double> alone;  ///< shares in %, one at a time; empty if not evaluated
 };
 
-/// Those below a twentieth of a per cent at the end are one bar, where they are several.
+/// The number of bars: shares below a twentieth of a per cent at the end are one bar, where they are several.
 std::size_t bars_to_show(const std::vector<BudgetRow>& rows, std::size_t most) {
     const auto last = std::find_if(rows.rbegin(), rows.rend(), [](const BudgetRow& row) {
         return std::abs(row.share) >= 5e-4 || row.one_at_a_time;
@@ -67,7 +67,8 @@ bool is_of_second_order(const OutputResult& output) {
     return output.first_order.standard_uncertainty < 1e-9 * output.standard_uncertainty;
 }
 
-/// "Contributions to u(x), pose 1"; with how much of u they are contributions to, where that is not all.
+/// The title "Contributions to u(x), pose 1"; it says how much of u they are contributions to, where that is
+/// not all.
 Text title_of_contributions(const PlottedOutput& y, const DocumentLanguage& language) {
     const Name& group = y.output().quantity.group;
     const Text title = language.say_text(plot_words::contributions, {y.symbol()}) +

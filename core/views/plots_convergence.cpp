@@ -1,4 +1,4 @@
-// How the standard uncertainty of an output settles as trials accumulate.
+// The chart of the standard uncertainty of an output as trials accumulate.
 #include <algorithm>
 #include <cmath>
 
@@ -51,7 +51,7 @@ PlotSpecification convergence_plot(const UncertaintyResult& result, std::size_t 
         high.y.push_back(shown + 2.0 * error);
     }
     plot.series.push_back(std::move(running));
-    if (std::isfinite(mc.standard_uncertainty)) {  // else no number of trials leads anywhere
+    if (std::isfinite(mc.standard_uncertainty)) {  // otherwise no number of trials leads anywhere
         const int exponent = y.exponent_of_uncertainties(mc.standard_uncertainty, digits_of_u,
                                                          *std::ranges::max_element(high.y));
         plot.series.insert(plot.series.end(), {std::move(low), std::move(high)});

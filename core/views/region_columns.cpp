@@ -1,4 +1,4 @@
-// Joint coverage regions.
+// The columns of joint coverage regions.
 #include "core/base/name.h"
 #include "core/views/result_columns.h"
 

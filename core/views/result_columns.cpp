@@ -1,4 +1,4 @@
-// The output quantities of a result.
+// The columns of the output quantities of a result.
 #include "core/views/result_columns.h"
 
 #include <cmath>
@@ -35,13 +35,13 @@ const Phrase low_at{"%1 interval, low"}, high_at{"%1 interval, high"}, low{"Inte
 using Number = std::function<std::optional<double>(const OutputResult&)>;
 using Scale = Measured::Scale;
 
-/// Of the shape of a distribution: not there where it has no variance, or is a constant.
+/// A figure of the shape of a distribution; it is not a number where that has no variance, or is a constant.
 double moment(const MonteCarloOutput& trials, double value) {
     const double u = trials.standard_uncertainty;
     return std::isfinite(u) && u > 0.0 ? value : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// A number of Monte Carlo, where it ran.
+/// A number of Monte Carlo, empty where it did not run.
 Number trials(std::function<double(const MonteCarloOutput&)> of) {
     return [of = std::move(of)](const OutputResult& output) {
         return output.monte_carlo ? std::optional(of(*output.monte_carlo)) : std::nullopt;
@@ -69,7 +69,7 @@ Number validation(double FirstOrderOutput::Validation::*member) {
 
 using Rows = std::shared_ptr<const std::vector<std::size_t>>;
 
-/// U of the outputs in the rows without each contributor.
+/// Adds U of the outputs in the rows without each contributor.
 void add_contributors(Table& table, const UncertaintyResult& result, const Rows& outputs,
                       const DocumentLanguage& language) {
     const std::vector<std::string> keys = contributor_keys(result);
@@ -89,7 +89,7 @@ void add_contributors(Table& table, const UncertaintyResult& result, const Rows&
     }
 }
 
-/// The result line is read across: an estimate, its uncertainties and limits have one power of ten.
+/// Gives an estimate, its uncertainties and limits one power of ten, because the result line is read across.
 void share_powers(Table& table) {
     static const std::set<std::string, std::less<>> line{"estimate",
                                                          "u",
@@ -115,7 +115,7 @@ public:
           outputs_(std::make_shared<const std::vector<std::size_t>>(std::move(outputs))),
           language_(language) {}
 
-    /// In the order in which files have them.
+    /// Makes the table with its columns in the order in which files have them.
     Table make() {
         table_.rows = outputs_->size();
         add_quantity();
@@ -240,7 +240,7 @@ private:
                        return verdict.words.english() +
                               (verdict.acceptable ? "" : ": state the coverage interval");
                    }));
-        // Without the advice, which stands below the table.
+        // The words leave out the advice, which stands below the table.
         table_
             .add("distribution in short", of_output([](const OutputResult& o) -> Cell {
                      return o.monte_carlo ? Cell(o.monte_carlo->normality.words.english()) : Cell();
@@ -259,7 +259,7 @@ private:
             .print("ratio")
             .fixed(3)
             .not_in_files();
-        // Of the result line: of Monte Carlo, else of the law of propagation.
+        // The interval is that of the result line: of Monte Carlo, else of the law of propagation.
         const auto stated = [&r = result_](double C::*side) -> Number {
             return [&r, side](const OutputResult& o) { return coverage_interval_of(o, r).*side; };
         };
@@ -324,7 +324,7 @@ private:
 
     const UncertaintyResult& result_;
     Rows outputs_;
-    DocumentLanguage language_;  ///< of heads with names in them
+    DocumentLanguage language_;  ///< language of heads with names in them
     Table table_{"results", "Results"};
 };
 

@@ -1,4 +1,4 @@
-// The tables of a result, each defined once: what all views of it choose from.
+// The tables of a result, each defined once, which all views of it choose from.
 #pragma once
 
 #include <cstddef>
@@ -12,16 +12,17 @@
 
 namespace covaria {
 
-// All read the result when they are asked for cells. `language`: of what only print says in words of its own,
-// and of heads with names.
+// All tables read the result when they are asked for cells. `language` is that of words which print alone
+// says, and of heads with names.
 
-/// A row for each of these outputs.
+/// The table of results, with a row for each of these outputs.
 Table results_table(const UncertaintyResult& result, std::vector<std::size_t> outputs);
-Table results_table(const UncertaintyResult& result);  ///< all of them
-/// With what the requirements say of each row: "target", "U/target", "met".
+Table results_table(const UncertaintyResult& result);  ///< table of all of them
+/// The table of results with the answers of the requirements for each row: "target", "U/target", "met".
 Table results_table(const UncertaintyResult& result, std::vector<std::size_t> outputs,
                     const std::vector<RequirementResult>& verdicts, const DocumentLanguage& language = {});
-/// "95 % interval, low": of the columns of its ends; without a probability where rows differ in it.
+/// The heads of the columns of an interval's ends, "95 % interval, low"; without a probability where rows
+/// differ in it.
 struct IntervalHeads {
     std::string low, high;
 };
@@ -29,17 +30,17 @@ IntervalHeads interval_heads(std::optional<double> probability, const DocumentLa
 /// Keys of the columns "U, ... held", one for each contributor.
 std::vector<std::string> contributor_keys(const UncertaintyResult& result);
 
-/// At the least, of sensitivity coefficients: -575 nm/K, whatever the digits of U.
+/// The least number of digits of sensitivity coefficients: -575 nm/K, whatever the digits of U.
 inline constexpr int sensitivity_digits = 3;
 
 struct BudgetPlace {
     std::size_t output = 0, row = 0;
 };
-/// A row for each place.
+/// The table of budgets, with a row for each place.
 Table budget_table(const UncertaintyResult& result, std::vector<BudgetPlace> places,
                    const DocumentLanguage& language = {});
 std::vector<BudgetPlace> budget_places(const UncertaintyResult& result, std::size_t output);
-/// Without components whose contribution is only rounding of a sensitivity coefficient of zero.
+/// Places without components whose contribution is only rounding of a sensitivity coefficient of zero.
 std::vector<BudgetPlace> places_that_count(const UncertaintyResult& result, std::size_t output);
 std::vector<BudgetRow> rows_at(const UncertaintyResult& result, const std::vector<BudgetPlace>& places);
 
@@ -47,15 +48,16 @@ std::vector<BudgetRow> rows_at(const UncertaintyResult& result, const std::vecto
 struct InputRow {
     std::vector<std::size_t> quantities;
     std::optional<std::size_t> share = {};
-    bool part = false;  ///< below the row of its quantity, whose symbol and estimate it leaves out
+    /// Whether it stands below the row of its quantity, whose symbol and estimate it leaves out.
+    bool part = false;
 };
 Table inputs_table(const InputSet& inputs, std::vector<InputRow> rows);
-/// Every share of every quantity.
+/// Rows for every share of every quantity.
 std::vector<InputRow> all_shares(const InputSet& inputs);
 
 /// Correlation coefficients of components: a row for each pair.
 Table input_correlations_table(const InputSet& inputs, std::vector<ComponentCorrelation> pairs);
-/// Those that were stated or observed, and the +-1 of quantities that add their components.
+/// The correlations that were stated or observed, and the +-1 of quantities that add their components.
 std::vector<ComponentCorrelation> all_correlations(const InputSet& inputs);
 
 /// Correlation coefficients of outputs: "output symbol" and a column for each of the outputs.

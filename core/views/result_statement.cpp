@@ -12,11 +12,11 @@
 namespace covaria {
 namespace {
 
-constexpr double skewed_from = 0.05;           // of U
-constexpr double unnoticed_difference = 0.05;  // of u by the two methods
-constexpr double largest_stated = 0.999;       // a coverage probability is not rounded to 100 %
+constexpr double skewed_from = 0.05;           // as a part of U
+constexpr double unnoticed_difference = 0.05;  // as a part of u, between the two methods
+constexpr double largest_stated = 0.999;       // largest probability that is stated: none is rounded to 100 %
 
-/// How the numbers of one result are written: all of them multiplied by a power of ten, to one place.
+/// The way to write the numbers of one result: all of them multiplied by a power of ten, to one place.
 struct Place {
     int exponent = 0, decimals = 0;
     NumberLocale locale = {};
@@ -26,8 +26,8 @@ struct Place {
     }
 };
 
-/// Two digits of U cannot lose 5 % of it by rounding: nothing is rounded up (ILAC-P14 5.4).
-/// `largest`: also of the limits of the interval.
+/// The place of the numbers of a result. Two digits of U cannot lose 5 % of it by rounding, so nothing is
+/// rounded up (ILAC-P14 5.4). `largest` is the largest number, the limits of the interval among them.
 Place place_for(double estimate, double uncertainty, double largest, int digits, const NumberLocale& locale) {
     const int decimals = decimals_for(uncertainty, digits);
     if (is_written_out(largest, decimals)) return {0, decimals, locale};
@@ -45,7 +45,7 @@ bool has_interval(double estimate, double uncertainty) {
     return std::isfinite(estimate) && std::isfinite(uncertainty) && uncertainty > 0.0;
 }
 
-/// By Monte Carlo, of a result line with U > 0.
+/// Whether the interval by Monte Carlo of a result line with U > 0 is not symmetric about the estimate.
 bool is_skewed(const OutputResult& output, const UncertaintyResult& result) {
     const double y = output.estimate, U = output.expanded_uncertainty;
     if (!output.monte_carlo || !has_interval(y, U)) return false;
@@ -119,14 +119,14 @@ std::optional<double> part_of_first_order(const OutputResult& output) {
 double stated_spread(const OutputResult& output, const UncertaintyResult& result) {
     const double u = output.standard_uncertainty;
     const bool by_u = is_stated_by_interval(output, result) && std::isfinite(u) && u > 0.0;
-    // With tails that long u says little of the interval.
+    // With tails that are so long u says little of the interval.
     return by_u ? std::min(u, output.expanded_uncertainty) : output.expanded_uncertainty;
 }
 
 double stated_probability(const OutputResult& output, const UncertaintyResult& result) {
     if (expanded_by(result) != ExpandedBy::fixed_factor) return result.coverage_probability;
     const double y = output.estimate, U = output.expanded_uncertainty;
-    // More decimals than trials tell would be noise.
+    // More decimals than the trials support would be noise.
     if (output.monte_carlo)
         return std::min(1e-3 * std::round(1e3 * output.monte_carlo->distribution.inside(y - U, y + U)),
                         largest_stated);

@@ -9,7 +9,7 @@
 namespace covaria {
 namespace {
 
-constexpr double outlier = 3.29;  // |w| at 0.1 %
+constexpr double outlier = 3.29;  // |w| that is exceeded with a probability of 0.1 %
 
 Text words(const DocumentLanguage& in, const Message& message) {
     return running_text(in.say(message));

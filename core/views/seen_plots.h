@@ -7,11 +7,11 @@
 
 namespace covaria {
 
-/// w of the readings in their order; those of one figure stand out.
+/// The chart of w of the readings in their order; those of one figure stand out.
 PlotSpecification residual_plot(const evidence::RedundantReadings& readings, std::size_t figure,
                                 const DocumentLanguage& in = DocumentLanguage::english());
-/// w of the readings of one figure in rising order over the quantiles of the normal distribution: on the line
-/// where the stated figure holds.
+/// The chart of w of the readings of one figure in rising order over the quantiles of the normal
+/// distribution: they are on the line where the stated figure holds.
 PlotSpecification quantile_plot(const evidence::RedundantReadings& readings, std::size_t figure,
                                 const DocumentLanguage& in = DocumentLanguage::english());
 

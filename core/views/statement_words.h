@@ -1,4 +1,4 @@
-// What a result line says in words of its own, in English.
+// The words that a result line says of its own, in English.
 #pragma once
 
 #include "core/text/document_language.h"

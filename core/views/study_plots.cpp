@@ -1,4 +1,4 @@
-// Sweeps as lines, maps as coloured cells.
+// The charts of studies: sweeps as lines, maps as coloured cells.
 #include "core/views/study_plots.h"
 
 #include <algorithm>
@@ -22,10 +22,11 @@ namespace {
 constexpr std::array<SeriesRole, 6> family = {SeriesRole::family_1, SeriesRole::family_2,
                                               SeriesRole::family_3, SeriesRole::family_4,
                                               SeriesRole::family_5, SeriesRole::family_6};
-constexpr double wide_range = 30.0;  // highest by lowest value, from which an axis is logarithmic
+// Ratio of the highest to the lowest value from which on an axis is logarithmic.
+constexpr double wide_range = 30.0;
 constexpr int value_digits = 6;
 
-/// As that of an axis.
+/// The unit as that of an axis.
 std::string axis_unit(const Unit& unit) {
     return unit == Unit{} ? std::string() : unit.display();
 }
@@ -34,12 +35,12 @@ double shown(const StudyResult& study, const StudyQuantity& quantity, std::size_
     return quantity.unit.interval_from_si(value_at(study, quantity, point));
 }
 
-/// 500, 1500.25; no tails of a logarithmic spacing.
+/// The value as text, "500" or "1500.25", without the tail of digits of a logarithmic spacing.
 std::string value_text(double value, const NumberLocale& numbers) {
     return grouped_digits(format_trimmed(value, value_digits), numbers);
 }
 
-/// Runs of points with values; only the first has the name.
+/// Adds a line in runs of points with values, of which only the first has the name.
 void add_line(PlotSpecification& plot, const Text& name, SeriesRole role, const std::vector<double>& x,
               const std::vector<double>& y) {
     PlotSeries run;
@@ -72,7 +73,7 @@ void choose_y_range(PlotSpecification& plot) {
         }
     plot.y.logarithmic = low > 0.0 && high > wide_range * low;
     if (plot.y.logarithmic || !(high > 0.0)) return;
-    plot.y.high = 1.06 * high;  // from zero: lengths can be compared
+    plot.y.high = 1.06 * high;  // the axis begins at zero, so that lengths can be compared
 }
 
 void mark_present(PlotSpecification& plot, const StudyAxisValues& axis, const DocumentLanguage& language) {
@@ -87,7 +88,7 @@ void mark_present(PlotSpecification& plot, const StudyAxisValues& axis, const Do
         {language.say(plot_words::as_set_up, {number}), axis.present, false, SeriesRole::reference});
 }
 
-/// Where the present value stands between the categories of a map's axis; empty: outside.
+/// The place of the present value between the categories of a map's axis; empty where it is outside.
 std::optional<double> present_place(const StudyAxisValues& axis) {
     const std::vector<double>& values = axis.values;
     for (std::size_t i = 0; i < values.size(); ++i) {
@@ -98,7 +99,7 @@ std::optional<double> present_place(const StudyAxisValues& axis) {
     return std::nullopt;
 }
 
-/// A cross through the place as it is set up, as far as that is on the map; the categories of y run
+/// Marks the place as it is set up by a cross, as far as that is on the map; the categories of y run
 /// downwards.
 void mark_present(PlotSpecification& plot, const StudyAxisValues& x, const StudyAxisValues& y,
                   const DocumentLanguage& language) {
@@ -194,7 +195,7 @@ PlotAxis category_axis(const StudyAxisValues& values, bool downwards, const Docu
     return axis;
 }
 
-/// Colours over the whole study, so that slices can be compared.
+/// Sets the range of colours over the whole study, so that slices can be compared.
 void set_colour_range(PlotSpecification& plot, const StudyResult& study, const StudyQuantity& quantity) {
     const StudyExtremes extremes = extremes_of(study, quantity);
     if (!extremes.known) return;
@@ -282,7 +283,7 @@ std::vector<PlotSpecification> study_plots(const StudyResult& study, const Docum
     }
     const std::vector<StudyQuantity> quantities = study_quantities(study, language);
     for (view.quantity = 0; view.quantity < quantities.size() && plots.size() < most; ++view.quantity) {
-        // a sweep shows several quantities at once
+        // A sweep shows several quantities at once.
         if (study.axes.size() == 1 && shown_series.contains(quantities[view.quantity].title)) continue;
         plots.push_back(study_plot(study, view, language));
         for (const PlotSeries& series : plots.back().series) shown_series.insert(series.name);

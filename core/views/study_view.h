@@ -7,8 +7,8 @@
 
 namespace covaria {
 
-/// A study as people read it: axes as they were typed, what is looked at of the outputs, remarks where there
-/// are any. Reads the study when it is asked for cells.
+/// The table of a study as people read it: axes as they were typed, the figures of the outputs that are
+/// looked at, remarks where there are any. It reads the study when it is asked for cells.
 Table study_view(const StudyResult& study, const DocumentLanguage& in);
 
 }  // namespace covaria

@@ -17,7 +17,7 @@ void add_content(pugi::xml_node parent, const std::string& text) {
 
 std::string xml_line(const std::string& text) {
     std::string line = plain_line(text);
-    for (const char* none : {"\xEF\xBF\xBE", "\xEF\xBF\xBF"})  // U+FFFE, U+FFFF
+    for (const char* none : {"\xEF\xBF\xBE", "\xEF\xBF\xBF"})  // the code points U+FFFE and U+FFFF
         for (std::size_t at = line.find(none); at != std::string::npos; at = line.find(none, at))
             line.replace(at, 3, "?");
     return line;

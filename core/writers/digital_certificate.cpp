@@ -106,7 +106,7 @@ private:
         identify("customer", &C::identification);
     }
 
-    /// An address as it was typed is not taken apart: its lines stand as further ones.
+    /// Writes a contact. An address as it was typed is not taken apart: its lines stand as further ones.
     void write_contact(xml_node contact, std::string C::*name, std::string C::*address,
                        const std::string& country) const {
         add_name(contact, line_of(name));
@@ -125,7 +125,8 @@ private:
         }
     }
 
-    /// Data have no "±" that U could stand after: the elements are called by what they are.
+    /// The words for the uncertainty of data, which have no "±" that U could stand after: the elements are
+    /// called by what they are.
     static std::string uncertainty_words(const UncertaintyResult& result) {
         const std::string by = result.trials == 0
                                    ? "The standard uncertainty was determined by the law of propagation of "
@@ -154,7 +155,7 @@ private:
                by;
     }
 
-    /// Method of the calibration, then that of the uncertainties; conditions.
+    /// Writes the method of the calibration, then that of the uncertainties; and the conditions.
     void write_methods(xml_node node, const UncertaintyResult& result) const {
         xml_node methods = node.append_child("dcc:usedMethods");
         xml_node method = methods.append_child("dcc:usedMethod");
@@ -197,7 +198,8 @@ private:
         return {};
     }
 
-    /// A target uncertainty is an aim of the laboratory and no property of the item: it is not stated.
+    /// The verdicts on an analysis. A target uncertainty is an aim of the laboratory and no property of the
+    /// item: it is not stated.
     std::vector<RequirementResult> verdicts_on(const EvaluatedAnalysis& evaluated) {
         const AnalysisEntry* entry = source_.made.project().find_analysis(evaluated.analysis->id);
         if (!entry) return {};

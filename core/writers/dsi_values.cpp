@@ -21,7 +21,7 @@ std::string name_of(const OutputQuantity& quantity) {
     return name.empty() ? "result" : name;
 }
 
-/// What is known of its form; empty: it is none that has a name.
+/// The known form of the distribution; empty where it has no name.
 std::string distribution_of(const OutputResult& output, const UncertaintyResult& result) {
     if (output.monte_carlo) return output.monte_carlo->normality.acceptable ? "normal" : "";
     return std::isfinite(stated_degrees_of_freedom(output, result)) ? "t" : "normal";
@@ -49,7 +49,7 @@ public:
         return {};
     }
 
-    /// Values with labels, U of each and the covariance matrix in the units of the values.
+    /// Adds values with labels, U of each and the covariance matrix in the units of the values.
     Result<void> add_list(xml_node data, const std::string& group, const CoverageRegion& region) const {
         std::vector<DsiUnit> units;
         std::string degrees;
@@ -95,7 +95,7 @@ private:
         add_text(real, "si:unit", unit.text);
     }
 
-    /// What is said of these outputs beside their values: degrees of freedom, conformity.
+    /// Adds the statements on these outputs beside their values: degrees of freedom, conformity.
     void add_metadata(xml_node quantity, const std::vector<std::size_t>& outputs) const {
         xml_node list = quantity.append_child("dcc:measurementMetaData");
         for (const std::size_t i : outputs) {
@@ -113,7 +113,7 @@ private:
         if (!list.first_child()) quantity.remove_child(list);
     }
 
-    /// The decision by its rule, with tolerance, guard band and probability of conformance.
+    /// Adds the decision by its rule, with tolerance, guard band and probability of conformance.
     void add_conformity(xml_node meta, const RequirementResult& verdict) const {
         const OutputResult& output = result_.outputs[verdict.output];
         const DsiUnit unit = dsi_unit_for(output.quantity.unit);
@@ -134,14 +134,14 @@ private:
         add_number(data, "probability of conformance", dsi_unit_for(Unit()), verdict.conformance);
     }
 
-    /// The D-SI has no element for degrees of freedom.
+    /// The degrees of freedom in words, since the D-SI has no element for them.
     std::string degrees_words(std::size_t i) const {
         const double nu = stated_degrees_of_freedom(result_.outputs[i], result_);
         return std::isfinite(nu) ? "effective degrees of freedom " + format_degrees_of_freedom(nu) : "";
     }
 
-    /// U with k and p; the coverage interval where y +- U does not say it, or k is below 1, which the D-SI
-    /// does not allow. An exact value has none.
+    /// Adds U with k and p; the coverage interval where y +- U does not say it, or k is below 1, which the
+    /// D-SI does not allow. An exact value has none.
     Result<void> add_uncertainty(xml_node real, const OutputResult& output, const Unit& unit) const {
         const double u = output.standard_uncertainty, U = output.expanded_uncertainty;
         if (u == 0.0) return {};
@@ -189,7 +189,8 @@ private:
     const StatedConformity& conformity_;
 };
 
-/// The joint region of exactly these outputs that an ellipsoid of the D-SI can state; null: none.
+/// The joint region of exactly these outputs that an ellipsoid of the D-SI can state; null where there is
+/// none.
 const CoverageRegion* region_of(const UncertaintyResult& result, const std::string& group,
                                 const std::vector<std::size_t>& outputs) {
     for (const CoverageRegion& region : result.regions) {

@@ -11,15 +11,15 @@
 
 namespace covaria {
 
-/// What is said of the conformity of measurands with a tolerance.
+/// The verdicts on the conformity of measurands with a tolerance.
 struct StatedConformity {
     const std::vector<RequirementResult>& verdicts;
-    std::string specification = {};  ///< that it refers to
+    std::string specification = {};  ///< specification that the verdicts refer to
 };
 
-/// Measurands of a group as <dcc:quantity>: with a joint region as one list with the covariance matrix, else
-/// one by one. Conformity follows as metadata of their quantity. Error: an
-/// uncertainty that is not finite, for which the D-SI has no place.
+/// Adds the measurands of a group as <dcc:quantity>: with a joint region as one list with the covariance
+/// matrix, else one by one. Conformity follows as metadata of their quantity. Error: an uncertainty that is
+/// not finite, for which the D-SI has no place.
 Result<void> add_quantities(pugi::xml_node data, const UncertaintyResult& result, const std::string& group,
                             const std::vector<std::size_t>& outputs, const StatedConformity& conformity);
 

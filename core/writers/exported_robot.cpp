@@ -68,7 +68,7 @@ private:
             found_.push_back({entry, analysis.id, analysis.name, std::move(*arm)});
     }
 
-    /// Of another of them: nominal geometry of what was identified.
+    /// Whether another robot was made from this one: nominal geometry of one that was identified.
     bool is_origin(const RobotCandidate& robot) const {
         return std::any_of(found_.begin(), found_.end(), [&](const RobotCandidate& other) {
             const auto used = graph_.used_by(other.entry);

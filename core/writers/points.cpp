@@ -15,10 +15,10 @@ namespace covaria {
 namespace {
 
 constexpr double same_axes = 1e-9;
-constexpr double same_origin = 0.01;  // m: nominal positions may differ from estimates by less
+constexpr double same_origin = 0.01;  // in m: nominal positions may differ from estimates by less
 
-/// As a cell between commas that every reader takes as a name: without separators and quotes, and not
-/// beginning like a formula, a comment or a number.
+/// The name as a cell between commas that every reader takes as a name: without separators and quotes, and
+/// not beginning like a formula, a comment or a number.
 std::string point_cell(const std::string& name, const std::string& otherwise) {
     std::string cell = plain_name(name);
     for (char& c : cell)
@@ -28,7 +28,7 @@ std::string point_cell(const std::string& name, const std::string& otherwise) {
     return cell;
 }
 
-/// Groups that are numbers would be taken for coordinates.
+/// The group as a cell that is no number: groups that are numbers would be taken for coordinates.
 std::string group_cell(const std::string& name, const std::string& otherwise) {
     const std::string cell = point_cell(name, otherwise);
     return csv_number(cell, false) ? "_" + cell : cell;
@@ -40,11 +40,11 @@ std::string free_cell(const std::string& wanted, std::set<std::string>& taken) {
     return cell;
 }
 
-/// In which three outputs are coordinates.
+/// A frame in which three outputs are coordinates.
 struct PointFrame {
     Eigen::Matrix3d R_WQ;
     Eigen::Vector3d o_W;
-    std::string group;  ///< of the file
+    std::string group;  ///< group of the file
     std::set<std::string> names = {};
 
     bool is(const Eigen::Matrix3d& R, const Eigen::Vector3d& o) const {
@@ -116,7 +116,8 @@ private:
         ++lines_;
     }
 
-    /// Points that are expressed in another frame are a group of their own: side by side they would mislead.
+    /// The frame of a point: points that are expressed in another frame are a group of their own, because
+    /// side by side they would mislead.
     PointFrame& frame_of(const EvaluatedAnalysis& evaluated, const LayoutPoint& point,
                          const std::string& name, const Eigen::Vector3d& p, std::vector<PointFrame>& frames) {
         const Eigen::Vector3d o = point.p_W - point.R_WQ * p;

@@ -13,17 +13,17 @@ namespace {
 
 constexpr std::array<const char*, 6> calibrated_links{"shoulder", "upper_arm", "forearm",
                                                       "wrist_1",  "wrist_2",   "wrist_3"};
-constexpr double same_tool = 1e-12;  // m and rad
+constexpr double same_tool = 1e-12;  // in m and rad
 
-/// FNV-1a: the driver tells calibrations apart by it.
+/// The checksum FNV-1a, by which the driver tells calibrations apart.
 std::uint64_t checksum_of(const std::string& text) {
     std::uint64_t hash = 14695981039346656037ull;
     for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ull;
     return hash;
 }
 
-/// The file has no frame behind that of wrist_3. What turns about and lies along its axis belongs to it as
-/// well as to the tool, so the frame is put there where the whole tool then is in it.
+/// Puts the frame of wrist_3, behind which the file has none, where the whole tool is then in it: a tool that
+/// turns about the axis of wrist_3 and lies along it belongs to that frame as well.
 void join_tool(ArmFrames& arm, std::vector<std::string>& said) {
     const Eigen::Isometry3d& X = arm.X_JT;
     const bool along_axis = std::hypot(X.translation().x(), X.translation().y()) <= same_tool &&

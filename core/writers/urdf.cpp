@@ -32,7 +32,7 @@ pugi::xml_node urdf_joint(pugi::xml_node robot, const std::string& name, const c
     return joint;
 }
 
-/// Type and limit. A sliding joint must have a limit in ROS.
+/// Adds type and limit of a joint. A sliding joint must have a limit in ROS.
 void add_movement(pugi::xml_node joint, const ArmFrame& frame, std::size_t number, WrittenFile& file) {
     joint.append_child("axis").append_attribute("xyz") = "0 0 1";
     const bool limited = std::isfinite(frame.low) && std::isfinite(frame.high);

@@ -1,4 +1,4 @@
-// A writer: which file for others is made of results, and of which.
+// A writer: the file for others that is made of results, and the results that it is made of.
 #pragma once
 
 #include <string>
@@ -17,19 +17,20 @@ struct WriterSource {
 
 struct WrittenFile {
     std::string bytes;
-    /// Lines: what was written, how others understand it, and what is not in the file.
+    /// Lines about the file: what was written, how others understand it, and what is not in it.
     std::vector<std::string> said = {};
 };
 
 struct Writer {
-    std::string name;    ///< as typed: "dcc"
-    std::string title;   ///< "Digital Calibration Certificate"
-    std::string ending;  ///< of file names: ".xml"
-    std::string writes;  ///< what of which results becomes what, in a sentence
-    /// Equal sources give equal bytes. Error: the source has nothing for it, or the format has no place for
-    /// what is there; the message says what.
+    std::string name;    ///< name as typed: "dcc"
+    std::string title;   ///< title for people: "Digital Calibration Certificate"
+    std::string ending;  ///< ending of file names: ".xml"
+    std::string writes;  ///< sentence on what is made of which results
+    /// Writes a file; equal sources give equal bytes. Error: the source has nothing for it, or the format has
+    /// no place for what is there; the message says what.
     Result<WrittenFile> (*write)(const WriterSource& source);
-    /// What the project lacks for it, whatever its results are; null: nothing.
+    /// The gaps of the project that hinder the writer, whatever the results are; null where there can be
+    /// none.
     Problems (*missing)(const Project& project) = nullptr;
 };
 

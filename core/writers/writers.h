@@ -9,6 +9,6 @@
 namespace covaria {
 
 const std::vector<Writer>& writer_registry();
-const Writer* find_writer(const std::string& name);  ///< null if there is none
+const Writer* find_writer(const std::string& name);  ///< null where there is none of that name
 
 }  // namespace covaria

@@ -34,7 +34,7 @@ enum BudgetSheetColumn {
 /// A line of a budget sheet.
 struct SheetLine {
     std::size_t component = 0;
-    double sensitivity = 0.0;  ///< SI
+    double sensitivity = 0.0;  ///< sensitivity in SI
     std::string symbol;
 };
 
@@ -42,7 +42,7 @@ std::string range(int column, int first, int last) {
     return cell_name(first, column) + ":" + cell_name(last, column);
 }
 
-/// In line 4. `y`: unit of contributions.
+/// Writes the heads in line 4. `y` is the unit of contributions.
 void write_heads(XlsxBook& book, const Unit& y) {
     const std::vector<std::pair<std::string, double>> heads{
         {"Quantity", 14},
@@ -62,7 +62,8 @@ void write_heads(XlsxBook& book, const Unit& y) {
     }
 }
 
-/// In the order of the quantities; components of a quantity that have one sensitivity stand together.
+/// The lines in the order of the quantities; components of a quantity that have one sensitivity stand
+/// together.
 std::vector<SheetLine> lines_of(const UncertaintyBudget& budget, std::size_t output) {
     std::vector<SheetLine> lines;
     for (const BudgetRow& row : budget.rows[output]) {
@@ -74,7 +75,7 @@ std::vector<SheetLine> lines_of(const UncertaintyBudget& budget, std::size_t out
     }
     std::sort(lines.begin(), lines.end(),
               [](const SheetLine& a, const SheetLine& b) { return a.component < b.component; });
-    // Stable by first appearance: rows of one symbol are neighbours.
+    // The order is stable by first appearance, and rows of one symbol are neighbours.
     std::vector<SheetLine> ordered;
     for (const SheetLine& line : lines) {
         if (std::any_of(ordered.begin(), ordered.end(),
@@ -86,7 +87,7 @@ std::vector<SheetLine> lines_of(const UncertaintyBudget& budget, std::size_t out
     return ordered;
 }
 
-/// Trials cannot be formulas: values only.
+/// Writes the results of the trials as values only, since trials cannot be formulas.
 void write_trials(XlsxBook& book, int row, const OutputResult& output, std::uint64_t trials) {
     if (!output.monte_carlo) return;
     book.text(row++, name, "Monte Carlo, " + std::to_string(trials) + " trials", Look::title);
@@ -103,7 +104,7 @@ void write_trials(XlsxBook& book, int row, const OutputResult& output, std::uint
     value("Coverage interval, high", unit_y.from_si(interval.high));
 }
 
-/// One output of one analysis.
+/// The sheet of one output of one analysis.
 class BudgetSheet {
 public:
     BudgetSheet(XlsxBook& book, const EvaluatedAnalysis& evaluated, std::size_t output)
@@ -155,7 +156,7 @@ private:
             book_.number(row_, nu, degrees, Look::stated);
         else
             book_.text(row_, nu, "∞", Look::stated);
-        // In the unit of the result for one unit of the quantity.
+        // The coefficient is in the unit of the result for one unit of the quantity.
         const double slope = y_.interval_from_si(x.interval_to_si(line.sensitivity));
         book_.number(row_, c, slope, Look::stated);
         const double share = slope * x.interval_from_si(component.standard_uncertainty);
@@ -169,7 +170,8 @@ private:
         ++row_;
     }
 
-    /// Welch and Satterthwaite's formula is that of Covaria where components are independent of each other.
+    /// Whether components are independent of each other, where the formula of Welch and Satterthwaite is that
+    /// of Covaria.
     bool independent() const {
         return result_.inputs->correlations.empty() && result_.inputs->variance_estimates.empty() &&
                result_.inputs->vectors.empty();
@@ -186,7 +188,7 @@ private:
         row_ += 2;
     }
 
-    /// Each pair with its term of the variance, 2 r c_1 u_1 c_2 u_2.
+    /// Writes each pair with its term of the variance, 2 r c_1 u_1 c_2 u_2.
     void write_correlations() {
         const auto all = resolved_correlations(result_.inputs);
         first_pair_ = row_ + 2;
@@ -268,7 +270,7 @@ private:
             book_.text(row_, name, "Coverage factor k, fixed");
             book_.number(row_++, estimate, *result_.fixed_coverage_factor, Look::stated);
         } else {
-            // Student's t for any real number of degrees of freedom, by the beta distribution.
+            // Student's t for any real number of degrees of freedom follows from the beta distribution.
             const std::string p = cell_name(row_p, estimate), n = cell_name(row_nu, estimate),
                               beta = "BETAINV(" + p + ",0.5," + n + "/2)";
             row_k = compare("Coverage factor k",
@@ -280,7 +282,7 @@ private:
                 y_.interval_from_si(law.expanded_uncertainty));
     }
 
-    /// Label, formula, Covaria's value, whether both agree to 1e-6. Returns its row.
+    /// Writes label, formula, Covaria's value and whether both agree to 1e-6; returns their row.
     int compare(const std::string& label, const std::string& formula, double covaria) {
         book_.text(row_, name, label);
         book_.formula(row_, estimate, formula, covaria);
@@ -296,7 +298,7 @@ private:
     XlsxBook& book_;
     const UncertaintyResult& result_;
     const OutputResult& output_;
-    Unit y_;  ///< of uncertainties of the output
+    Unit y_;  ///< unit of uncertainties of the output
     std::string title_, analysis_, before_;
     std::vector<SheetLine> lines_;
     int row_ = 1, last_ = 4, result_row_ = 0, first_pair_ = 0, pairs_ = 0;

@@ -1,4 +1,4 @@
-// The only file that knows libxlsxwriter.
+// Excel workbooks as they are written. This is the only file that knows libxlsxwriter.
 #include "core/writers/xlsx_book.h"
 
 #include <xlsxwriter.h>
@@ -43,7 +43,7 @@ std::string first_characters(const std::string& text, std::size_t count) {
 }  // namespace
 
 struct XlsxBook::Sheets {
-    /// A folder of our own that goes when this goes.
+    /// A folder of our own, which is removed with this object.
     class TemporaryFolder {
     public:
         TemporaryFolder() {
@@ -111,7 +111,7 @@ void XlsxBook::add_sheet(const std::string& wanted) {
     if (sheets_->book) sheets_->sheet = workbook_add_worksheet(sheets_->book, name.c_str());
     if (!sheets_->sheet) return;
     worksheet_set_landscape(sheets_->sheet);
-    worksheet_fit_to_pages(sheets_->sheet, 1, 0);  // as wide as a page, as long as it is
+    worksheet_fit_to_pages(sheets_->sheet, 1, 0);  // a sheet is as wide as a page and as long as it is
 }
 
 void XlsxBook::set_width(int column, double characters) {
@@ -160,7 +160,7 @@ Result<std::string> XlsxBook::finish() {
     if (!sheets_->book) return failed();
     lxw_workbook* book = std::exchange(sheets_->book, nullptr);
     sheets_->sheet = nullptr;
-    const CNumbers with_points;  // of cells, which are written now
+    const CNumbers with_points;  // cells are written now, with points in their numbers
     if (workbook_close(book) != LXW_NO_ERROR) return failed();
     return read_file(sheets_->file);
 }

@@ -1,4 +1,4 @@
-// What readings contradict before anything is adjusted: readings that were repeated, distances there and
+// Contradictions of readings before anything is adjusted: readings that were repeated, distances there and
 // back, rounds of one station, loops of height differences and of coordinate differences.
 #include <algorithm>
 #include <cmath>
@@ -13,13 +13,14 @@ namespace covaria::network {
 
 namespace {
 
-/// A sum of readings that would be 0 without deviations.
+/// A reading with its sign in a sum of readings that would be 0 without deviations.
 struct SignedReading {
     std::size_t reading = 0;
     double sign = 1.0;
 };
 
-/// Of height differences its instrument and its target may stand above their points.
+/// The difference between the points of a reading, above which instrument and target may stand where it is
+/// one of heights.
 double difference_of(const AdjustedReading& r) {
     const bool of_heights = r.kind == ReadingKind::height_difference || r.kind == ReadingKind::dz;
     return of_heights ? r.value + r.height_from - r.height_to : r.value;
@@ -63,7 +64,7 @@ private:
         return found == correlations_.end() ? 0.0 : found->second;
     }
 
-    /// The same again, or from the other end: each against the first.
+    /// Compares readings that were made again, or from the other end, each with the first.
     void compare_repeated() {
         using Key =
             std::tuple<ReadingKind, std::size_t, std::size_t, std::size_t, std::size_t, double, double>;
@@ -95,7 +96,8 @@ private:
         }
     }
 
-    /// The angle from the first target that two rounds of a station have in common, to each of the others.
+    /// Compares rounds of a station by the angles from the first target that two of them have in common, to
+    /// each of the others.
     void compare_rounds() {
         std::map<std::size_t, std::vector<std::map<std::size_t, std::size_t>>> stations;
         std::vector<std::map<std::size_t, std::size_t>> rounds(network_.rounds.size());
@@ -130,7 +132,7 @@ private:
         }
     }
 
-    /// Each reading that is not of the tree of shortest ways closes a loop with it.
+    /// Closes a loop by each reading that is not of the tree of shortest ways.
     void close_loops(const std::vector<ReadingKind>& kinds) {
         std::vector<std::vector<std::size_t>> at(network_.points.size());
         std::vector<std::size_t> readings;
@@ -165,7 +167,7 @@ private:
         return r.from == point ? r.to : r.from;
     }
 
-    /// From the target of the reading back to its station by the tree.
+    /// Closes the loop from the target of the reading back to its station by the tree.
     void close(std::size_t reading, const std::vector<std::size_t>& way,
                const std::vector<std::size_t>& depth) {
         const AdjustedReading& r = network_.readings[reading];

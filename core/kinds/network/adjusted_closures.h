@@ -7,15 +7,15 @@ namespace covaria::network {
 
 struct Closure {
     Message words;
-    double misclosure = 0.0, u = 0.0;  ///< SI
-    Unit unit;                         ///< in which it is shown
+    double misclosure = 0.0, u = 0.0;  ///< in SI
+    Unit unit;                         ///< unit in which it is shown
     std::string source;                ///< place of its last reading
     double ratio() const;
 };
 
-/// The largest for its u first.
+/// The closures of a network, the largest for its u first.
 std::vector<Closure> closures(const AdjustedNetwork& network);
-/// Warns where they are larger than the uncertainties allow.
+/// Warns of closures that are larger than the uncertainties allow.
 void check_closures(const AdjustedNetwork& network, Problems& problems);
 Table closures_table(const std::vector<Closure>& closures);
 

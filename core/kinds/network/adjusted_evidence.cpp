@@ -14,7 +14,7 @@ namespace covaria::network {
 
 namespace {
 
-/// Readings that one statement of uncertainty is about.
+/// The key of the readings that one statement of uncertainty is about.
 struct FigureKey {
     int kind = 0;
     bool is_stated_of_point = false;
@@ -32,7 +32,8 @@ bool is_of_tilts(ReadingKind kind) {
     return kind == ReadingKind::tilt_x || kind == ReadingKind::tilt_y;
 }
 
-/// The three coordinates, also in frames, the three differences and the two tilts are one kind each.
+/// The first of the kinds that count as one: the three coordinates, also in frames, the three differences,
+/// and the two tilts.
 ReadingKind first_alike(ReadingKind kind) {
     if (is_of_coordinates(kind)) return ReadingKind::x;
     if (is_of_differences(kind)) return ReadingKind::dx;
@@ -142,7 +143,7 @@ private:
     std::vector<std::size_t> key_of_;  ///< index of the figure of each reading
 };
 
-/// Readings with the factors of the figures that are seen.
+/// Scales the uncertainties of readings with the factors of the figures that are seen.
 void scale(AdjustedNetwork& network, const std::vector<std::size_t>& figure_of,
            const std::vector<evidence::TakenFactor>& factors) {
     Eigen::VectorXd by(static_cast<Eigen::Index>(network.readings.size()));

@@ -12,7 +12,7 @@ namespace {
 /// Readings of one station, by their targets.
 using SightsByTarget = std::map<std::size_t, std::vector<std::size_t>>;
 
-/// Largest offset of the readings in units of their u, if they were readings of the point `target`.
+/// The largest offset of the readings in units of their u, if they were readings of the point `target`.
 double misfit(const AdjustedNetwork& network, const std::vector<std::size_t>& readings, std::size_t target) {
     double largest = 0.0;
     for (const std::size_t i : readings) {

@@ -17,7 +17,7 @@ Eigen::Index axis_in_frame(ReadingKind kind) {
     return kind == ReadingKind::frame_x ? 0 : kind == ReadingKind::frame_y ? 1 : 2;
 }
 
-/// The figures of a frame, and what they make of it.
+/// The figures of a frame in a state, with the axes and the scale that they give it.
 struct LaidFrame {
     const double* figures;
     Eigen::Matrix3d axes;
@@ -33,15 +33,15 @@ struct LaidFrame {
     }
 };
 
-/// Points of a flat frame have no heights.
+/// The vector from the origin of a frame to a point; in a flat frame it has no height.
 Eigen::Vector3d from_origin(const AdjustedFrame& frame, const LaidFrame& laid, const double* point) {
     Eigen::Vector3d v = Eigen::Map<const Eigen::Vector3d>(point) - laid.origin(frame);
     if (frame.is_flat) v.z() = 0.0;
     return v;
 }
 
-/// About which an angular velocity of one turns the frame while one of its three angles grows by one, before
-/// A_0: columns by angle.
+/// The vectors, by columns, about which an angular velocity of one turns the frame while one of its three
+/// angles grows by one; A_0 is not in them.
 Eigen::Matrix3d turns_of(const double* figures) {
     const Eigen::Matrix3d about_z = rotation_z(figures[5]);
     Eigen::Matrix3d turns;
@@ -50,7 +50,8 @@ Eigen::Matrix3d turns_of(const double* figures) {
     return turns;
 }
 
-/// A direction, by its places, of what is flat or straight: A_0 has it as its z-axis or its x-axis.
+/// Lays a plane or line by the places of its points: A_0 has its normal as the z-axis or its direction as the
+/// x-axis. False where the points are too few.
 bool lay_on(AdjustedFrame& frame, const std::vector<Eigen::Vector3d>& places) {
     const bool plane = frame.shape == FrameShape::plane;
     if (places.size() < (plane ? 3U : 2U)) return false;
@@ -68,7 +69,8 @@ bool lay_on(AdjustedFrame& frame, const std::vector<Eigen::Vector3d>& places) {
     return true;
 }
 
-/// A_0 keeps the angles away from where they are not defined: the turn about y from a right angle.
+/// Takes a pose, with an A_0 that keeps the angles away from where they are not defined, which is a right
+/// angle about y.
 void take_pose(AdjustedNetwork& network, std::size_t f, const Eigen::Matrix3d& axes,
                const Eigen::Vector3d& origin, double scale) {
     constexpr double steep = 1.0;  // rad
@@ -84,7 +86,7 @@ void take_pose(AdjustedNetwork& network, std::size_t f, const Eigen::Matrix3d& a
 }
 
 struct PairedPoints {
-    std::vector<Eigen::Vector3d> here, there;  ///< in the network, in the frame
+    std::vector<Eigen::Vector3d> here, there;  ///< places of points in the network, and in the frame
 };
 
 bool fit_frame(AdjustedNetwork& network, std::size_t f, const PairedPoints& points) {

@@ -9,7 +9,8 @@ namespace covaria::network {
 
 namespace {
 
-constexpr std::size_t most_work = 1'000'000;  ///< readings times unknowns of which groups are tested
+/// Product of readings and unknowns up to which groups are tested.
+constexpr std::size_t most_work = 1'000'000;
 constexpr std::size_t most_in_group = 300;
 
 std::vector<GroupOfReadings> candidates(const AdjustedNetwork& network) {

@@ -12,8 +12,8 @@ struct GroupOfReadings {
     adjustment::GroupTest test;
 };
 
-/// Stations, rounds, targets and frames of two readings or more that others control, the least probable
-/// first; none of a network that is too large.
+/// Groups of two readings or more that others control, by stations, rounds, targets and frames, the least
+/// probable first; none for a network that is too large.
 std::vector<GroupOfReadings> groups_of(const AdjustedNetwork& network);
 Table groups_table(const std::vector<GroupOfReadings>& groups);
 

@@ -1,5 +1,5 @@
-// Input quantities of "network adjustment": one for each reading, and for each stated coordinate; and where
-// its points and sights are.
+// Input quantities of "network adjustment": one for each reading, and for each stated coordinate; and the
+// places of its points and sights.
 #include "core/base/name.h"
 #include "core/kinds/network/adjusted_setup.h"
 #include "core/text/numbers.h"

@@ -1,4 +1,5 @@
-// Readings and points that an adjustment leaves out: by hand, gross, outliers, told by no reading; and why.
+// Readings and points that an adjustment leaves out, with the reasons: by hand, gross, outliers, told by no
+// reading.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -26,7 +27,8 @@ void leave_out(StatedAdjustment& stated, std::size_t row, Message why) {
     stated.readings[row].why_left_out = std::move(why);
 }
 
-/// The only direction of a round has an orientation of its own: it tells nothing.
+/// Leaves out directions that are the only one of their round: such a round has an orientation of its own, so
+/// they tell nothing.
 void leave_lone_directions(StatedAdjustment& stated) {
     std::map<std::pair<std::string, std::string>, std::vector<std::size_t>> rounds;
     for (std::size_t row = 0; row < stated.readings.size(); ++row)
@@ -40,7 +42,8 @@ void leave_lone_directions(StatedAdjustment& stated) {
                            "known">());
 }
 
-/// A reading that was left out, against what the others make of it.
+/// The deviation of a reading that was left out from the prediction of the others, over its standard
+/// uncertainty.
 double test_of(const StatedAdjustment& stated, const AdjustedNetwork& made, std::size_t row) {
     StatedAdjustment with = stated;
     with.readings[row].left_out = false;
@@ -61,7 +64,7 @@ double test_of(const StatedAdjustment& stated, const AdjustedNetwork& made, std:
     return std::abs(residual_of(made, *reading, reading->value, made.state.data())) / std::sqrt(u2);
 }
 
-/// Squares of how much the open directions move each point in the plane, then each height.
+/// The squares of how far the open directions move each point in the plane, then each height.
 std::vector<double> moved_by(const AdjustedNetwork& network) {
     const Eigen::MatrixXd& open = network.unsolved->open();
     const std::size_t n = network.points.size();
@@ -77,7 +80,8 @@ std::vector<double> moved_by(const AdjustedNetwork& network) {
     return moved;
 }
 
-/// The search left what determines the network; where it began nothing was open.
+/// Whether nothing was open where the search began; where something is open at its end, the search has gone
+/// to a place at which the readings no longer determine the network.
 bool was_determined(const AdjustedNetwork& begun) {
     return !begun.readings.empty() &&
            adjustment::Adjustment(design_of(begun, begun.state.data()), begun.whitening, begun.datum)
@@ -85,7 +89,8 @@ bool was_determined(const AdjustedNetwork& begun) {
                    .cols() == 0;
 }
 
-/// Adjusts from the beginning; where least squares do not lead to a place of every point, once more robustly.
+/// Adjusts from the beginning; where least squares do not lead to a place of every point, it adjusts once
+/// more robustly.
 void adjust_from_start(AdjustedNetwork& network, bool robust, Problems& problems) {
     const Eigen::VectorXd start = network.state;
     if (robust) start_robustly(network);
@@ -184,7 +189,7 @@ private:
         return !network.unplaced.empty();
     }
 
-    /// The point that the open directions move most, if they are not of the network as a whole.
+    /// Leaves out the point that the open directions move most, if they are not of the network as a whole.
     bool leave_undetermined(const AdjustedNetwork& begun, const AdjustedNetwork& network) {
         if (!stated_.leaves_undetermined || !network.unsolved || was_determined(begun)) return false;
         const std::size_t n = network.points.size();
@@ -204,7 +209,8 @@ private:
         return true;
     }
 
-    /// Approximate coordinates may be bad: what counts is where a robust adjustment leads from them.
+    /// Leaves out readings that miss by more than the limit. Approximate coordinates may be bad, so they are
+    /// compared with where a robust adjustment leads from them.
     bool leave_gross(AdjustedNetwork begun) {
         if (!stated_.gross_limit || begun.readings.empty()) return false;
         start_robustly(begun);
@@ -223,8 +229,8 @@ private:
         return any;
     }
 
-    /// First all that a robust adjustment contradicts, then the largest one after the other; at last those
-    /// that agree after all come back.
+    /// Leaves out outliers: first all readings that a robust adjustment contradicts, then the largest one
+    /// after the other; at last those that agree after all come back.
     bool leave_outliers(const AdjustedNetwork& begun, const AdjustedNetwork& made) {
         if (!stated_.robust) return false;
         if (!began_) {
@@ -267,7 +273,8 @@ private:
         return !last_.empty();
     }
 
-    /// Takes back what was left out last, because the network needs it; it stays from then on.
+    /// Takes back the readings that were left out last, because the network needs them; they stay from then
+    /// on.
     bool take_back() {
         for (const std::size_t row : last_) {
             stated_.readings[row].left_out = false;
@@ -309,8 +316,8 @@ private:
     StatedAdjustment stated_;
     Problems& problems_;
     std::vector<LeftOut> points_;
-    std::vector<char> kept_;         ///< readings that came back
-    std::vector<std::size_t> last_;  ///< left out in the last round
+    std::vector<char> kept_;         ///< whether each reading came back
+    std::vector<std::size_t> last_;  ///< readings that were left out in the last round
     bool again_ = false, began_ = false, compared_ = false;
 };
 

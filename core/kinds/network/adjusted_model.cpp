@@ -50,8 +50,8 @@ bool is_turned(const network::AdjustedFrame& frame) {
     return frame.axes(0, 0) != 1.0;
 }
 
-/// A figure of a frame: where it is and how it is turned; of planes and lines they count from where the
-/// search began.
+/// The output quantity of a figure of a frame: its place, how it is turned, its scale; those of planes and
+/// lines count from where the search began.
 OutputQuantity output_of(const AdjustedNetwork& network, std::size_t number, const Unit& of_length) {
     const network::AdjustedFrame& frame = network.frames[number / network::AdjustedFrame::figures];
     const std::size_t k = number % network::AdjustedFrame::figures;
@@ -72,16 +72,16 @@ OutputQuantity output_of(const AdjustedNetwork& network, std::size_t number, con
             .periodic = k > 2 && k < 6};
 }
 
-/// Coordinates as surveyors have them, in metres.
+/// Whether coordinates are as large as those of surveyors, which are in metres.
 bool is_large(const AdjustedNetwork& network) {
     constexpr double machine_hall = 100.0;  // m
     return network.state.head(static_cast<Eigen::Index>(3 * network.points.size())).cwiseAbs().maxCoeff() >
            machine_hall;
 }
 
-/// y of x: the unknowns where J₀ᵀ C⁻¹ (x − h(y)) = 0, J₀ the derivatives at the estimates. There it is the
-/// least sum of squares, and its sensitivities are the rows of the gain Q J₀ᵀ C⁻¹; elsewhere it differs from
-/// the least sum by terms of second order times the residuals.
+/// The model y of x: the unknowns where J₀ᵀ C⁻¹ (x − h(y)) = 0, with J₀ the derivatives at the estimates. At
+/// these it is the least sum of squares, and its sensitivities are the rows of the gain Q J₀ᵀ C⁻¹; elsewhere
+/// it differs from the least sum by terms of second order times the residuals.
 class NetworkAdjustment : public MeasurementModel {
 public:
     explicit NetworkAdjustment(AdjustedNetwork made)
@@ -191,7 +191,7 @@ private:
                Eigen::Map<const Eigen::Vector3d>(state + 3 * from);
     }
 
-    /// Gradient of an output by the unknowns.
+    /// The gradient of an output by the unknowns.
     Eigen::VectorXd wanted(std::size_t output, const double* state) const {
         const auto n = static_cast<Eigen::Index>(network_.place_of.size());
         Eigen::VectorXd e = Eigen::VectorXd::Zero(n);
@@ -209,7 +209,8 @@ private:
         return e;
     }
 
-    /// (J₀ᵀ C⁻¹ J)⁻ᵀ e, in steps with the factor at the estimates: where J is J₀ the first is the last.
+    /// The vector (J₀ᵀ C⁻¹ J)⁻ᵀ e, in steps with the factor at the estimates: where J is J₀ the first step is
+    /// the last.
     Eigen::VectorXd implied(const adjustment::SparseRows& J, const Eigen::VectorXd& e) const {
         constexpr int most_steps = 30;
         Eigen::VectorXd z = network_.adjusted->cofactors(e);

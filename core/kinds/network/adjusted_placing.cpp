@@ -14,7 +14,7 @@ Placing::Placing(AdjustedNetwork& network, PlaneFrame empty) : whole(std::move(e
     for (const AdjustedReading& r : network.readings) take_coordinate(r);
 }
 
-/// A point whose coordinates were read.
+/// Takes a coordinate that was read of a point.
 void Placing::take_coordinate(const AdjustedReading& r) {
     if (r.kind == ReadingKind::z && !heights_[r.from]) {
         height(r.from) = r.value;
@@ -39,7 +39,7 @@ void Placing::put_plane() {
             network_.state.segment<2>(static_cast<Eigen::Index>(3 * p)) = *whole.places[p];
 }
 
-/// Height of `to` above `from` that the reading tells where the plane is placed.
+/// The height of `to` above `from` that the reading tells where the plane is placed.
 std::optional<double> Placing::rise(const AdjustedReading& r) const {
     const double raised = r.height_from - r.height_to;
     if (r.kind == ReadingKind::height_difference || r.kind == ReadingKind::dz) return r.value + raised;

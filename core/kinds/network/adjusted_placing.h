@@ -1,20 +1,20 @@
-// What is placed already while the search of a network adjustment looks for its beginning.
+// The parts of a network that are placed already while the search of an adjustment looks for its beginning.
 #pragma once
 
 #include "core/kinds/network/adjusted_setup.h"
 
 namespace covaria::network {
 
-/// What stands in one frame of the plane.
+/// Places and orientations in one frame of the plane.
 struct PlaneFrame {
     std::vector<std::optional<Eigen::Vector2d>> places;
-    std::vector<std::optional<double>> orientations;  ///< of rounds
+    std::vector<std::optional<double>> orientations;  ///< orientations of rounds
 };
 
 /// Places in the plane and heights, as far as they are known, in the state of the network too.
 class Placing {
 public:
-    /// What is typed, and coordinates that were read.
+    /// Begins with coordinates that are typed, and those that were read.
     Placing(AdjustedNetwork& network, PlaneFrame empty);
 
     PlaneFrame whole;
@@ -22,14 +22,14 @@ public:
     bool wants(std::size_t p) const { return network_.points[p].has(0) && !whole.places[p]; }
     bool is_empty() const;
     void put_plane();
-    /// Heights that follow from those that are placed.
+    /// Places the heights that follow from those that are placed.
     void spread_heights();
-    /// The first height, where none is placed; false: one is.
+    /// Places the first height, where none is placed; false where one is.
     bool begin_heights();
-    /// All heights; those that hang on nothing begin at that of the others.
+    /// Places all heights; those that hang on nothing begin at the mean of the others.
     void place_heights();
-    /// Points that are read in a frame which is laid onto others. The frame with most points lies where the
-    /// network does, where `begins`.
+    /// Places the points that are read in a frame which is laid onto others. Where it `begins`, the frame
+    /// with most points lies where the network does.
     bool place_by_own_frames(bool begins);
     void lay_frames();
 
@@ -43,7 +43,7 @@ private:
     double& height(std::size_t p) { return network_.state[static_cast<Eigen::Index>(network_.at(p, 2))]; }
 
     AdjustedNetwork& network_;
-    std::vector<char> heights_;  ///< of points, that are placed or not part of the network
+    std::vector<char> heights_;  ///< whether the height of each point is placed or not part of the network
 };
 
 }  // namespace covaria::network

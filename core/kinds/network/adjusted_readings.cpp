@@ -9,7 +9,7 @@ namespace covaria::network {
 
 namespace {
 
-/// The number of the reading's figure of that kind in the state; `known`: it has none.
+/// The number of the reading's figure of that kind in the state; `known` where it has none.
 std::size_t place_of(const AdjustedNetwork& network, const AdjustedReading& reading, FigureKind kind) {
     for (const std::size_t f : reading.figures)
         if (network.figures[f].kind == kind) return network.figure(f);
@@ -22,8 +22,8 @@ double figure_of(const AdjustedNetwork& network, const AdjustedReading& reading,
     return place == AdjustedNetwork::known ? otherwise : state[place];
 }
 
-/// Fall of a zenith angle's line of sight below the plane for each m² of distance, 1/m: half the curvature of
-/// the Earth less that of the ray.
+/// The fall of a zenith angle's line of sight below the plane for each m² of distance, 1/m: half the
+/// curvature of the Earth less that of the ray.
 double fall(const AdjustedNetwork& network, const AdjustedReading& reading, const double* state) {
     if (network.curvature == 0.0 || reading.kind != ReadingKind::zenith_angle) return 0.0;
     return 0.5 * network.curvature *
@@ -38,7 +38,7 @@ Eigen::Vector3d between(const AdjustedNetwork& network, const AdjustedReading& r
     return v;
 }
 
-/// Axes of an instrument that leans, by columns.
+/// The axes of an instrument that leans, by columns.
 Eigen::Matrix3d leaning_axes(const AdjustedNetwork& network, const AdjustedReading& reading,
                              const double* state) {
     return (Eigen::AngleAxisd(state[network.tilt(reading.tilt, 0)], Eigen::Vector3d::UnitX()) *
@@ -46,7 +46,7 @@ Eigen::Matrix3d leaning_axes(const AdjustedNetwork& network, const AdjustedReadi
         .toRotationMatrix();
 }
 
-/// Vector to the target in the axes of the instrument, m, but for the orientation of its circle.
+/// The vector to the target in the axes of the instrument, m, but for the orientation of its circle.
 Eigen::Vector3d seen(const AdjustedNetwork& network, const AdjustedReading& reading, std::size_t to,
                      const double* state) {
     const Eigen::Vector3d v = between(network, reading, to, state);
@@ -97,7 +97,7 @@ Eigen::Vector3d gradient(const AdjustedNetwork& network, ReadingKind kind, const
     }
 }
 
-/// The gradient of one leg by the points, and by how the instrument leans.
+/// Adds the gradient of one leg by the points, and by how the instrument leans.
 void add_leg(const AdjustedNetwork& network, const AdjustedReading& reading, std::size_t to, double sign,
              const double* state, StateTerms& terms) {
     const Eigen::Vector3d v = seen(network, reading, to, state);
@@ -137,7 +137,7 @@ bool is_distance(ReadingKind kind) {
     return kind == ReadingKind::slope_distance || kind == ReadingKind::horizontal_distance;
 }
 
-/// Derivatives by what the instrument adds to the reading.
+/// Adds the derivatives by the figures of the instrument that change the reading.
 void add_figures(const AdjustedNetwork& network, const AdjustedReading& reading, const double* state,
                  StateTerms& terms) {
     if (reading.figures.empty()) return;
@@ -157,12 +157,12 @@ void add_figures(const AdjustedNetwork& network, const AdjustedReading& reading,
                 terms.push_back({network.figure(f), v.norm() / v.head<2>().norm()});
                 break;
             case FigureKind::refraction:
-                break;  // it belongs to the leg: `fall`
+                break;  // refraction belongs to the leg: see `fall`
         }
     }
 }
 
-/// The number in the state of what is stated of an instrument or of a frame.
+/// The number in the state of the tilt, scale or figure that is stated of an instrument or of a frame.
 std::size_t place_of_stated(const AdjustedNetwork& network, const AdjustedReading& reading) {
     const bool scale = reading.kind == ReadingKind::figure_ratio;
     const std::size_t axis = reading.kind == ReadingKind::tilt_y ? 1 : 0;
@@ -400,7 +400,7 @@ Message words_of(const AdjustedNetwork& network, const AdjustedReading& reading)
         case ReadingKind::frame_x:
         case ReadingKind::frame_y:
         case ReadingKind::frame_z:
-            return {};  // said above
+            return {};  // these are named above
         case ReadingKind::dx:
             return tell<"difference of x, %1 – %2">(from, to);
         case ReadingKind::dy:

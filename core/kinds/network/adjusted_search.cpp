@@ -1,4 +1,5 @@
-// The least sum of squares of a network adjustment, by Gauss-Newton steps with the factor of each place.
+// The search for the least sum of squares of a network adjustment, by Gauss-Newton steps with the factor of
+// each place.
 #include <cmath>
 
 #include "core/kinds/network/adjusted_setup.h"
@@ -32,10 +33,11 @@ public:
                  "m and mm), and for coordinates that are far off">());
     }
 
-    /// Residuals beyond some u count by their first power, those of a contradiction less and less.
+    /// Searches with robust weights: residuals beyond some u count by their first power, those of a
+    /// contradiction less and less.
     void run_robustly() {
         constexpr int steps = 40;
-        constexpr double bend = 1.0;  // u
+        constexpr double bend = 1.0;  // in u
         const adjustment::SparseRows own = network_.whitening;
         Eigen::VectorXd before = network_.state;
         for (int k = 0; k < steps; ++k) {
@@ -74,7 +76,7 @@ private:
         return (network_.whitening * residuals_of(network_, state.data())).squaredNorm();
     }
 
-    /// The whole step, or the half of it that lets the sum fall; false: none does.
+    /// Takes the whole step, or halves it until the sum falls; false where it never does.
     bool step(const adjustment::Adjustment& adjusted) {
         const Eigen::VectorXd r = network_.whitening * residuals_of(network_, network_.state.data());
         const Eigen::VectorXd change = adjusted.step(adjusted.whitened().transpose() * r);
@@ -96,7 +98,8 @@ private:
         return false;
     }
 
-    /// The state after `change`; what no reading determines stays where the points of the datum were stated.
+    /// The state after `change`; directions that no reading determines stay where the points of the datum
+    /// were stated.
     Eigen::VectorXd moved_by(const adjustment::Adjustment& adjusted, const Eigen::VectorXd& change) const {
         Eigen::VectorXd from_stated = change;
         for (std::size_t k = 0; k < network_.place_of.size(); ++k) {

@@ -1,4 +1,4 @@
-// Checks the set-up of "network adjustment".
+// The checks of the set-up of "network adjustment".
 #include "core/kinds/network/adjusted_setup.h"
 
 #include <algorithm>
@@ -81,7 +81,7 @@ void add_stated_figures(const Typed& stated, AdjustedNetwork& made) {
     }
 }
 
-/// Frames of the table, then those that only readings name.
+/// Takes the frames of the table, then those that only readings name.
 void take_own_frames(const Typed& stated, AdjustedNetwork& made, Problems& problems) {
     std::map<std::string, std::size_t> known;
     for (std::size_t row = 0; row < stated.frames.size(); ++row) {
@@ -186,7 +186,7 @@ bool is_of_one_point(ReadingKind kind) {
     return kind == ReadingKind::x || kind == ReadingKind::y || kind == ReadingKind::z || is_in_frame(kind);
 }
 
-/// Whether an instrument that leans reads it by its own axes.
+/// Whether a reading of that kind is by the own axes of an instrument that leans.
 bool is_by_axes(ReadingKind kind) {
     return kind == ReadingKind::direction || kind == ReadingKind::angle || kind == ReadingKind::zenith_angle;
 }
@@ -442,7 +442,8 @@ private:
         }
     }
 
-    /// Readings that are correlated, directly or through others, have one covariance matrix.
+    /// Weighs the readings; those that are correlated, directly or through others, have one covariance
+    /// matrix.
     void weigh() {
         DisjointSets sets(made_.readings.size());
         for (const ReadingCorrelation& c : made_.correlations) sets.join(c.first, c.second);
@@ -483,7 +484,7 @@ private:
     Problems& problems_;
     AdjustedNetwork made_;
     std::map<std::string, std::size_t> names_;
-    std::map<std::size_t, std::size_t> leaning_;  ///< point -> number of its instrument
+    std::map<std::size_t, std::size_t> leaning_;  ///< number of the instrument that leans, by its point
     std::map<std::pair<std::size_t, std::string>, std::size_t> rounds_;
 };
 

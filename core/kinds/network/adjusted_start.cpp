@@ -85,7 +85,7 @@ public:
     std::size_t azimuths() const { return azimuth_round_; }
     const std::vector<Sighting>& sightings() const { return sightings_; }
 
-    /// Places in the frame what follows from what is there.
+    /// Places in the frame all points that follow from those that are placed.
     void propagate(PlaneFrame& frame) const {
         for (bool more = true; more;) {
             more = orient(frame);
@@ -129,7 +129,7 @@ private:
         return true;
     }
 
-    /// Rounds by the farthest target that is placed.
+    /// Orients rounds by the farthest target that is placed.
     bool orient(PlaneFrame& frame) const {
         bool more = false;
         std::map<std::size_t, std::pair<double, double>> best;
@@ -175,7 +175,7 @@ private:
         Vector2 at = Vector2::Zero();
     };
 
-    /// Place of a station whose circle points to `orientation`, by linear least squares.
+    /// The place of a station whose circle points to `orientation`, by linear least squares.
     Standing standing(const std::vector<Sighted>& targets, const std::vector<Ray>& rays,
                       double orientation) const {
         Eigen::Matrix2d N = Eigen::Matrix2d::Zero();
@@ -211,8 +211,8 @@ private:
         return found;
     }
 
-    /// Resection, with distances and sights from others where there are some: of all orientations the one
-    /// that fits best.
+    /// Places a station by resection, with distances and sights from others where there are some: of all
+    /// orientations it takes the one that fits best.
     bool stand_freely(PlaneFrame& frame, std::size_t p, const std::vector<Ray>& rays) const {
         std::map<std::size_t, std::vector<Sighted>> targets;
         std::map<std::size_t, std::size_t> rows;
@@ -245,8 +245,8 @@ private:
         return false;
     }
 
-    /// Two circles, and a third distance that tells their two meeting points apart; in a frame of two points
-    /// either will do.
+    /// Places a point by two circles, and a third distance that tells their two meeting points apart; in a
+    /// frame of two points either will do.
     bool by_distances(PlaneFrame& frame, std::size_t p) const {
         std::vector<std::pair<Vector2, double>> circles;
         std::size_t placed = 0;
@@ -281,8 +281,8 @@ private:
     std::map<std::pair<std::size_t, std::size_t>, double> distances_;
 };
 
-/// A turn that most agree on: that of the first ones with the least sum of absolute differences, then the
-/// mean of all within 0.1 rad of it.
+/// The turn that most agree on: of the first ones the one with the least sum of absolute differences, then
+/// the mean of all within 0.1 rad of it.
 double agreed(const std::vector<double>& turns) {
     constexpr std::size_t most_tried = 30;
     constexpr double about = 0.1;
@@ -336,7 +336,7 @@ public:
 private:
     static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
-    /// Frames of single stations, each grown as far as it goes, and laid onto the whole where they meet it.
+    /// Lays frames of single stations, each grown as far as it goes, onto the whole where they meet it.
     void lay_frames() {
         for (bool more = true; more;) {
             more = false;
@@ -397,7 +397,7 @@ private:
                 placing_.whole.places[p] = there + R * (*frame.places[p] - here);
     }
 
-    /// A network of distances alone, with nothing placed.
+    /// Begins a network of distances alone, with nothing placed.
     void seed_by_distance() {
         for (const AdjustedReading& r : network_.readings) {
             if (r.kind != ReadingKind::horizontal_distance && r.kind != ReadingKind::slope_distance) continue;
@@ -427,7 +427,7 @@ private:
                        "readings, or state approximate coordinates">(missing, names));
     }
 
-    /// The turn that the directions of a round agree with best: a direction to a wrong target turns no
+    /// Gives each round the turn that its directions agree with best: a direction to a wrong target turns no
     /// others.
     void orient_rounds() {
         std::vector<std::vector<double>> turns(network_.rounds.size());

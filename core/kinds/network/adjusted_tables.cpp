@@ -12,7 +12,8 @@ namespace covaria::network {
 
 namespace {
 
-constexpr std::size_t most_effects = 4'000'000;  ///< readings times unknowns of which effects are computed
+/// Product of readings and unknowns up to which effects are computed.
+constexpr std::size_t most_effects = 4'000'000;
 
 Message test_words(const adjustment::Reliability& found) {
     return tell<"Chi-square of the residuals: %1 with %2 degrees of freedom, p = %3.">(
@@ -57,7 +58,7 @@ struct LargestEffect {
     std::size_t place = 0;
 };
 
-/// Largest change of a coordinate by the smallest detectable error of a reading (external reliability).
+/// The largest change of a coordinate by the smallest detectable error of a reading (external reliability).
 LargestEffect largest_effect(const AdjustedNetwork& network, std::size_t reading, double error) {
     const Eigen::VectorXd effect =
         adjustment::effect_of(*network.adjusted, network.whitening, reading) * error;

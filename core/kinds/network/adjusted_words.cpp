@@ -1,4 +1,4 @@
-// Words for what an adjustment leaves open: whose height, whose place, which turn, the scale.
+// Words for the directions that an adjustment leaves open: the height or place of points, a turn, the scale.
 #include <Eigen/Geometry>
 #include <Eigen/QR>
 #include <algorithm>
@@ -45,7 +45,7 @@ Eigen::MatrixXd without(const Eigen::MatrixXd& basis, const Eigen::MatrixXd& sai
     return left;
 }
 
-/// Points that readings connect.
+/// The parts of a network: points that readings connect.
 std::vector<std::vector<std::size_t>> parts_of(const AdjustedNetwork& network) {
     std::vector<std::size_t> leader(network.points.size());
     std::iota(leader.begin(), leader.end(), 0);
@@ -75,7 +75,8 @@ std::vector<std::vector<std::size_t>> parts_of(const AdjustedNetwork& network) {
     return found;
 }
 
-/// Figures of instruments that the readings cannot tell apart: zero and scale where all distances are equal.
+/// The sentence on figures of instruments that the readings cannot tell apart: zero and scale where all
+/// distances are equal.
 Message figures_apart(const AdjustedNetwork& network, const Eigen::VectorXd& move) {
     Message names;
     for (std::size_t f = 0; f < network.figures.size(); ++f) {
@@ -219,8 +220,8 @@ private:
                                                   format_short(d.z(), 2));
     }
 
-    /// Moves of the part as a whole: along x, y, z, turns about x, y, z, scale; of all its coordinates and
-    /// rounds, of those that are fixed too.
+    /// The moves of the part as a whole: along x, y, z, turns about x, y, z, scale; they move all of its
+    /// coordinates and rounds, those that are fixed too.
     Eigen::MatrixXd whole_moves(const std::vector<std::size_t>& part) const {
         Eigen::MatrixXd moves = Eigen::MatrixXd::Zero(network_.state.size(), 7);
         Eigen::Vector3d middle = Eigen::Vector3d::Zero();
@@ -247,9 +248,10 @@ private:
         return moves;
     }
 
-    /// Turns of the orientations and tilts of what stands at p, where it turns with the part.
+    /// Adds the turns of the orientations and tilts of instruments at p, which turn with the part.
     void turn_instruments(std::size_t p, Eigen::MatrixXd& moves) const {
-        Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  // of the tilts about x and y, and of the circle
+        // Axes of the tilts about x and y, and of the circle.
+        Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
         for (std::size_t k = 0; k < network_.leaning.size(); ++k) {
             if (network_.leaning[k] != p) continue;
             const Eigen::AngleAxisd about_x(network_.state[static_cast<Eigen::Index>(network_.tilt(k, 0))],
@@ -272,7 +274,7 @@ private:
 
     void say_part(const std::vector<std::size_t>& part) {
         const Eigen::MatrixXd moves = whole_moves(part);
-        // Seen by the unknowns at their sizes; what moves something fixed is no way out.
+        // Moves are seen by the unknowns at their sizes; one that moves something fixed is no way out.
         Eigen::MatrixXd scaled = Eigen::MatrixXd::Zero(open_.rows(), 7), held(0, 7);
         for (Eigen::Index place = 0; place < moves.rows(); ++place) {
             const std::size_t k = network_.unknown_of[static_cast<std::size_t>(place)];
@@ -285,7 +287,7 @@ private:
             }
         }
         Eigen::MatrixXd said(open_.rows(), 0);
-        // Simple ones first: each is tried with those before it, which may set it off.
+        // Simple moves come first: each is tried with those before it, which may set it off.
         for (Eigen::Index c = 0; c < 7 && said.cols() < open_.cols(); ++c) {
             const Eigen::VectorXd way = combination(scaled, held, c);
             if (way.size() == 0 || !(way.norm() > 0.0)) continue;
@@ -300,8 +302,8 @@ private:
         open_ = without(open_, said);
     }
 
-    /// The move c and as much of those along the axes as keeps in place what is fixed, and as lies in what is
-    /// open; empty where nothing does.
+    /// The move c, with as much of those along the axes as keeps fixed ones in place and lies in the open
+    /// directions; empty where nothing does.
     Eigen::VectorXd combination(const Eigen::MatrixXd& scaled, const Eigen::MatrixXd& held,
                                 Eigen::Index c) const {
         const Eigen::VectorXd own = scaled.col(c);

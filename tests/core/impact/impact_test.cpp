@@ -35,7 +35,7 @@ SetupTable& quantities_of(Project& project) {
     return std::get<SetupTable>(project.analyses.at(0).setup.values.at("quantities"));
 }
 
-/// Of the standard: its length in mm and U for k = 2, by a certificate of that number.
+/// Sets the standard: its length in mm and U for k = 2, by a certificate of that number.
 void set_standard(Project& project, const std::string& number, double length, double U) {
     auto& row = quantities_of(project).rows.at(0);
     row.at(column_of_value) = length;
@@ -53,7 +53,7 @@ struct InventedFolder {
     std::set<std::string> users;
     std::map<std::string, double> U_of_standard;
 
-    /// Calibrations of many items by the one standard or by another.
+    /// Saves calibrations of many items by the one standard or by another.
     InventedFolder(int count, const std::string& number) {
         std::mt19937 random(48);
         std::uniform_real_distribution<double> length(50.0002, 50.0005);
@@ -103,7 +103,7 @@ TEST(Impact, IsThatOfBruteForceOverAFolder) {
     for (const ImpactRow& row : impact->rows) {
         Project typed = load_project(row.file).project;
         const double was = std::get<double>(quantities_of(typed).rows[0][column_of_value]);
-        // l_X is l_S and what the others give, which stay; u(l_S) is U/2, and no other u depends on it.
+        // The result l_X is l_S and the other terms, which stay; u(l_S) is U/2, and no other u depends on it.
         EXPECT_NEAR(row.change(), 1e-3 * (50.00035 - was), 1e-15);
         const double others = std::pow(row.before.standard_uncertainty, 2) - std::pow(1.5e-8, 2);
         EXPECT_NEAR(row.after.standard_uncertainty, std::sqrt(others + std::pow(4e-8, 2)), 1e-17);

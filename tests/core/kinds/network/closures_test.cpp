@@ -1,4 +1,5 @@
-// Closures of readings before the adjustment: what was repeated, there and back, rounds, loops of heights.
+// Closures of readings before the adjustment: repeated readings, distances there and back, rounds, loops of
+// heights.
 #include "core/kinds/network/adjusted_closures.h"
 #include "tests/core/kinds/network/adjusted_network.h"
 
@@ -37,7 +38,8 @@ const Closure* called(const std::vector<Closure>& all, const std::string& words)
     return nullptr;
 }
 
-// By hand: 1.000 + 2.000 - 2.993 = 0.007 with u = sqrt(1 + 4 + 4) mm; D hangs on C by two readings.
+// The loop by hand is 1.000 + 2.000 - 2.993 = 0.007 with u = sqrt(1 + 4 + 4) mm; D hangs on C by two
+// readings.
 TEST(Closures, LoopsOfHeightsCloseWithTheirSumAndItsU) {
     TrueNetwork net = levels();
     net.stated.readings = {height("A", "B", 1.000, 1e-3), height("B", "C", 2.000, 2e-3),
@@ -99,7 +101,7 @@ TEST(Closures, DistancesThereAndBackAndRoundsAreCompared) {
     EXPECT_EQ(made.words().find("from A to C, in two rounds"), std::string::npos);
 }
 
-// A network that cannot be adjusted says them too.
+// A network that cannot be adjusted says its closures too.
 TEST(Closures, AreSaidWhereNothingCanBeAdjusted) {
     TrueNetwork net = levels();
     net.called("A").height = found_one;

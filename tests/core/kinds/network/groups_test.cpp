@@ -1,4 +1,4 @@
-// Groups of readings as candidates: what the sum of squares loses without a station, a round, a target.
+// Groups of readings as candidates: the decrease of the sum of squares without a station, a round, a target.
 #include "core/kinds/network/adjusted_groups.h"
 #include "core/math/special_quantiles.h"
 #include "tests/core/kinds/network/adjusted_network.h"
@@ -9,7 +9,7 @@ namespace {
 constexpr auto found_one = CoordinateRole::unknown, held_one = CoordinateRole::fixed,
                no_one = CoordinateRole::none;
 
-/// A levelling: linear, so that leaving out is exact.
+/// A levelling, which is linear, so that leaving out is exact.
 StatedAdjustment levelling() {
     TrueNetwork net;
     for (const char* name : {"A", "B", "C", "D", "E"})

@@ -23,7 +23,7 @@ Pose turned(double x, double y, double z, const Eigen::Vector3d& origin, double 
             origin, scale};
 }
 
-/// Deviations are numbers of the sequence of `next`.
+/// Reads points in a frame, with deviations of a fixed sequence.
 void read_in(TrueNetwork& net, const std::string& frame, const Pose& pose,
              const std::vector<std::string>& points, double deviation = 0.0) {
     static int count = 0;
@@ -64,7 +64,7 @@ double distance(const Adjusted& made, std::size_t a, std::size_t b) {
     return (made.network->position(a) - made.network->position(b)).norm();
 }
 
-// S. Umeyama (IEEE Trans. PAMI 13 (1991) 376): the same least squares in closed form.
+// The closed form of S. Umeyama (IEEE Trans. PAMI 13 (1991) 376) is of the same least squares.
 TEST(OwnFrame, PoseAndScaleOfKnownPointsAreThoseOfTheClosedForm) {
     for (const double steep : {0.4, 1.5707}) {
         TrueNetwork net = with_five(held_one, 0.0);
@@ -98,7 +98,8 @@ TEST(OwnFrame, PoseAndScaleOfKnownPointsAreThoseOfTheClosedForm) {
     }
 }
 
-// A point that the frame alone tells: its own u, that of the centroid, and that of the turns by its arm.
+// The uncertainty of a point that the frame alone tells has three parts: its own u, that of the centroid, and
+// that of the turns by its arm.
 TEST(OwnFrame, APointReadInItHasTheUncertaintyOfItsPoseToo) {
     TrueNetwork net = with_five(held_one, 0.0);
     net.point("P", {4.0, 3.0, 1.0}, found_one, found_one, {});
@@ -225,7 +226,7 @@ Eigen::Vector3d scatter_of_five() {
     return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(scatter).eigenvalues();
 }
 
-// The sum of squared distances from the plane and the line that fit best, by principal components.
+// The least sum of squared distances from the plane and the line follows from principal components.
 TEST(OwnFrame, PlanesAndLinesOfKnownPointsFitBest) {
     for (const FrameShape shape : {FrameShape::plane, FrameShape::line}) {
         TrueNetwork net = with_five(held_one, 0.0);
@@ -245,7 +246,7 @@ TEST(OwnFrame, PlanesAndLinesOfKnownPointsFitBest) {
     }
 }
 
-// A target whose height only its plane tells.
+// The height of the target is told by its plane alone.
 TEST(OwnFrame, APlaneTellsWhatIsMissing) {
     TrueNetwork net;
     for (const auto& [name, x, y] :

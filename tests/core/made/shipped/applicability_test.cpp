@@ -1,5 +1,5 @@
-// Whether figures may be used: dates against a count of days of its own, ranges, who uses what, what is
-// counted as assumed; and that none of it influences a number.
+// The applicability of figures: dates against a count of days of its own, ranges, the users of certificates,
+// the count of assumed figures; none of it influences a number.
 #include "core/made/applicability.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 namespace covaria::applicability_test {
 namespace {
 
-/// Counted by the Julian day number (Fliegel and Van Flandern 1968).
+/// A date, whose days are counted by the Julian day number (Fliegel and Van Flandern 1968).
 struct Day {
     int year, month, day;
     int count() const {
@@ -33,7 +33,7 @@ struct Day {
 TEST(Applicability, OfTenThousandRandomDatesIsThatOfCountedDays) {
     std::mt19937 random(17025);
     const auto pick = [&](int from, int to) { return from + int(random() % unsigned(to - from + 1)); };
-    // Close together, so that all verdicts and equal days come often.
+    // The dates are close together, so that all verdicts and equal days come often.
     const auto day = [&] { return Day{pick(2023, 2025), pick(1, 12), pick(1, 28)}; };
     std::array<int, 4> counts{};
     for (int trial = 0; trial < 10'000; ++trial) {
