@@ -1,10 +1,15 @@
 // A user looks for results over all groups, and for those that do not meet what is required.
 #include <QCheckBox>
+#include <QDialog>
+#include <QDialogButtonBox>
 #include <QDir>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QScrollBar>
 #include <QSplitter>
+#include <QTimer>
+#include <algorithm>
 
 #include "core/propagation/engine.h"
 #include "tests/ui/main_window/session_fixture.h"
@@ -194,6 +199,56 @@ TEST_F(ResultsSession, AllGroupsAreFilteredBySearchAndByWhatIsNotMet) {
     window_->document().undo_stack().undo();
     EXPECT_EQ(table().rowCount(), 0) << "nothing is required any more";
     EXPECT_TRUE(window_->results().outputs().only_not_met().isEnabled()) << "so that it can be taken back";
+}
+
+TEST_F(ResultsSession, OneDialogRequiresOfAllSelectedResults) {
+    open(project_copy(QStringLiteral("tracker-pose")));
+    select(SetupOwner::analysis, "tracker-alone");
+    ASSERT_TRUE(wait_for([this] { return status().result != nullptr && status().is_current(); }));
+    OutputsTab& tab = window_->results().outputs();
+    window_->results().stage().show_view(&tab);
+    settle();
+    tab.table().clearSelection();
+    std::vector<std::string> symbols;
+    for (int row = 0; row < 3; ++row) {
+        tab.table().selectionModel()->select(table().index(row, 0),
+                                             QItemSelectionModel::Select | QItemSelectionModel::Rows);
+        symbols.push_back(to_std(table().index(row, 0).data(id_role).toString()));
+    }
+    const auto required = [this] {
+        return window_->document().project().find_analysis("tracker-alone")->requirements;
+    };
+    const auto before = required();
+    const int steps = window_->document().undo_stack().index();
+    QTimer::singleShot(0, [] {
+        auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
+        ASSERT_NE(dialog, nullptr);
+        auto* target = dialog->findChild<QLineEdit*>(QStringLiteral("targetUncertainty"));
+        ASSERT_NE(target, nullptr);
+        target->setFocus();
+        target->selectAll();
+        QTest::keyClicks(target, QStringLiteral("70 um"));
+        auto* upper = dialog->findChild<QLineEdit*>(QStringLiteral("upperLimit"));
+        ASSERT_NE(upper, nullptr);
+        upper->setFocus();
+        dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok)->click();
+    });
+    auto* require = tab.findChild<QPushButton*>(QStringLiteral("require"));
+    ASSERT_NE(require, nullptr);
+    require->click();
+    EXPECT_EQ(window_->document().undo_stack().index(), steps + 1) << "one step";
+    std::size_t found = 0;
+    for (const Requirement& r : required()) {
+        if (std::ranges::count(symbols, r.symbol) == 0) continue;
+        ++found;
+        ASSERT_TRUE(r.target_uncertainty) << r.symbol;
+        EXPECT_DOUBLE_EQ(r.target_uncertainty->unit.interval_to_si(r.target_uncertainty->value), 70e-6);
+    }
+    EXPECT_EQ(found, 3u);
+    ASSERT_GE(column("Target"), 0) << "a column of the table";
+    EXPECT_FALSE(words(0, "Target").isEmpty());
+    window_->document().undo_stack().undo();
+    EXPECT_EQ(required(), before);
 }
 
 }  // namespace

@@ -12,8 +12,10 @@
 
 #include "core/made/made_project.h"
 #include "core/propagation/engine.h"
+#include "core/text/symbol.h"
 #include "tests/ui/qt_application.h"
 #include "ui/document/observation_edits.h"
+#include "ui/models/budget_foot_model.h"
 #include "ui/models/cell_blocks.h"
 #include "ui/models/roles.h"
 #include "ui/theme/strings.h"
@@ -94,6 +96,36 @@ TEST_F(BudgetSheetModelTest, IsTypedFromNothing) {
     EXPECT_EQ(text(1, Section::stated), QString::fromUtf8("U = 0.0194 µm, k = 2"));
     const double share = model->index(0, Section::share).data(exact_role).toDouble();
     EXPECT_NEAR(share, 100.0 * 25.0 * 25.0 / (25.0 * 25.0 + 9.7 * 9.7), 1e-10) << "in % as the head says";
+}
+
+TEST_F(BudgetSheetModelTest, TheResultStandsBelowItsRows) {
+    BudgetFootModel foot;
+    QAbstractItemModelTester tests(&foot);
+    EXPECT_EQ(foot.rowCount(), 0) << "nothing is evaluated";
+    type(0, Section::symbol, "l_S");
+    type(0, Section::estimate, "50.000623 mm");
+    type(0, Section::stated, "25 nm nu 18");
+    type(1, Section::symbol, "d");
+    type(1, Section::estimate, "215 nm");
+    type(1, Section::stated, "9.7 nm");
+    evaluate();
+    foot.set_result(shown, 0, true, {}, 2);
+    ASSERT_EQ(foot.rowCount(), 1);
+    ASSERT_EQ(foot.columnCount(), model->columnCount());
+    const auto words = [&foot](int section) { return foot.index(0, section).data().toString(); };
+    const OutputResult& of = shown->outputs[0];
+    EXPECT_EQ(words(Section::symbol), to_qt(symbol_to_unicode(of.quantity.symbol)));
+    EXPECT_EQ(words(Section::unit), QStringLiteral("mm"));
+    // sqrt(25^2 + 9.7^2) nm = 26.8 nm
+    EXPECT_EQ(words(Section::u), QString::fromUtf8("0.000\u202f027"));
+    EXPECT_EQ(words(Section::contribution), QStringLiteral("27")) << "in nm, as the cells above";
+    EXPECT_EQ(words(Section::share), QStringLiteral("100"));
+    const double nu = of.first_order.effective_degrees_of_freedom;
+    EXPECT_EQ(words(Section::nu), QString::number(std::floor(nu)));
+    EXPECT_TRUE(words(Section::stated).startsWith(QStringLiteral("U = ")))
+        << words(Section::stated).toStdString();
+    foot.set_result(nullptr, 0, true, {}, 2);
+    EXPECT_EQ(foot.rowCount(), 0);
 }
 
 TEST_F(BudgetSheetModelTest, AListIsTheObservationsOfItsRow) {
