@@ -131,8 +131,7 @@ private:
         return {};
     }
 
-    /// The unit of a row: in its own column, behind the value, or in the head; the unit one where nothing
-    /// says it.
+    /// The unit of a row: in its own column, behind the value, or in the head; else the unit one.
     Result<Unit> unit_of_row(int row, const std::optional<CellFigure>& value, const std::string& label) {
         const std::string words = cells_.text(row, Column::unit);
         if (!words.empty() && words != "-") {

@@ -68,8 +68,7 @@ private:
     std::string axes_ = "ne";
     GamaParameters parameters_;
     double least_u_of_angle_ = std::numeric_limits<double>::infinity();  ///< least u of an angle, gon
-    /// Whether angles grow from y towards x.
-    bool clockwise_ = false;
+    bool clockwise_ = false;                                             ///< angles grow from y towards x
 };
 
 }  // namespace covaria

@@ -43,8 +43,7 @@ public:
     /// Reads a cluster: lengths in metres with standard deviations in mm, angles in gon with 0.1 mgon or in
     /// degrees ("12-34-56.7") with seconds.
     Result<void> read(const pugi::xml_node& cluster);
-    /// Proposes all observations as one analysis, in which each is its own result; nothing where there is
-    /// none.
+    /// Proposes all observations as one analysis, each its own result; nothing where there is none.
     void propose(const std::string& title, const std::string& source);
     /// All observations; correlations refer to them by their numbers.
     const std::vector<GamaObserved>& observed() const { return observed_; }

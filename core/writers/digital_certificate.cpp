@@ -125,8 +125,7 @@ private:
         }
     }
 
-    /// The words for the uncertainty of data, which have no "±" that U could stand after: the elements are
-    /// called by what they are.
+    /// The words for uncertainties: data have no "±" that U could stand after.
     static std::string uncertainty_words(const UncertaintyResult& result) {
         const std::string by = result.trials == 0
                                    ? "The standard uncertainty was determined by the law of propagation of "
@@ -198,8 +197,7 @@ private:
         return {};
     }
 
-    /// The verdicts on an analysis. A target uncertainty is an aim of the laboratory and no property of the
-    /// item: it is not stated.
+    /// The verdicts on an analysis. A target uncertainty is an aim of the laboratory: it is not stated.
     std::vector<RequirementResult> verdicts_on(const EvaluatedAnalysis& evaluated) {
         const AnalysisEntry* entry = source_.made.project().find_analysis(evaluated.analysis->id);
         if (!entry) return {};

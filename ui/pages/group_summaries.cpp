@@ -37,6 +37,7 @@ void summarise_groups(FoldGroups& groups, const AnalysisEntry& analysis, const A
     groups.set_summary(designs_group, count_words(analysis.designs.size()));
     groups.set_summary(requirements_group,
                        verdict.isEmpty() ? count_words(analysis.requirements.size()) : verdict);
+    groups.set_summary(certificates_group, count_words(analysis.certificates.size()));
     groups.set_summary(notes_group, notes.isEmpty() ? FoldGroups::tr("none") : notes);
 }
 

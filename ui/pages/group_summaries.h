@@ -16,6 +16,7 @@ enum AnalysisGroup {
     studies_group,
     designs_group,
     requirements_group,
+    certificates_group,
     notes_group
 };
 

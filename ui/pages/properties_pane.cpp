@@ -13,6 +13,7 @@
 #include "ui/forms/bring_into_view.h"
 #include "ui/forms/certificate_form.h"
 #include "ui/forms/designs_form.h"
+#include "ui/forms/figure_sources_form.h"
 #include "ui/forms/form_labels.h"
 #include "ui/forms/help_place.h"
 #include "ui/forms/options_form.h"
@@ -39,14 +40,16 @@ constexpr int certificate_group = 1;  // its place among the groups of the proje
 
 /// Group of an analysis in which a JSON pointer into the project is edited; nullopt: its set-up.
 std::optional<AnalysisGroup> group_of_place(const std::string& path, const std::string& entry) {
-    static constexpr std::array<std::pair<const char*, AnalysisGroup>, 7> places{
+    static constexpr std::array<std::pair<const char*, AnalysisGroup>, 9> places{
         {{"/inputs", inputs_group},
          {"/links", inputs_group},
          {"/correlations", inputs_group},
          {"/options", options_group},
          {"/studies", studies_group},
          {"/designs", designs_group},
-         {"/requirements", requirements_group}}};
+         {"/requirements", requirements_group},
+         {"/measured", certificates_group},
+         {"/certificates", certificates_group}}};
     for (const auto& [key, group] : places)
         if (path.starts_with(entry + key)) return group;
     return std::nullopt;
@@ -77,14 +80,7 @@ PropertiesPane::PropertiesPane(Document& document, AnalysisRunner& runner, Selec
 void PropertiesPane::rebuild() {
     help_->start_over();
     delete area_;
-    setup_ = nullptr;
-    certificate_ = nullptr;
-    project_ = nullptr;
-    inputs_ = nullptr;
-    options_ = nullptr;
-    studies_ = nullptr;
-    designs_ = nullptr;
-    requirements_ = nullptr;
+    forms_ = {};
     groups_ = new FoldGroups;
     const SetupAddress& entry = selection_.entry();
     if (entry.owner == SetupOwner::project)
@@ -111,18 +107,21 @@ void PropertiesPane::add_hint() {
 }
 
 void PropertiesPane::add_entry_pages(const SetupAddress& entry) {
-    setup_ = new SetupForm(document_, entry);
+    forms_.setup = new SetupForm(document_, entry);
     set_help_place(*this, help_anchor(document_.project(), entry));
-    connect(setup_, &SetupForm::part_selected, this, [this](const QString& path) {
+    connect(forms_.setup, &SetupForm::part_selected, this, [this](const QString& path) {
         following_ = true;
         selection_.select_field(path);
         following_ = false;
     });
-    groups_->add(setup_, {});
+    groups_->add(forms_.setup, {});
     if (entry.owner == SetupOwner::asset)
         groups_->add(new AssetEvaluation(document_, entry.id), tr("Evaluation"));
     else
         add_analysis_pages(entry);
+    forms_.sources = new FigureSourcesForm(document_, entry);
+    set_help_place(*forms_.sources, QStringLiteral("results-certificates-of-the-figures"));
+    groups_->add(forms_.sources, tr("Certificates"));
     groups_->add(new NotesPage(document_, entry), tr("Notes"));
 }
 
@@ -148,69 +147,69 @@ void PropertiesPane::start_help() {
 
 void PropertiesPane::set_units(const DisplayUnits& units) {
     units_ = units;
-    if (requirements_) requirements_->set_units(units_);
+    if (forms_.requirements) forms_.requirements->set_units(units_);
 }
 
 void PropertiesPane::add_project_pages() {
-    project_ = new ProjectPage(document_);
-    groups_->add(project_, tr("Project"), true);
-    certificate_ = new CertificateForm(document_);
-    set_help_place(*certificate_, QStringLiteral("certificate"));
-    groups_->add(certificate_, tr("Certificate"), true);
+    forms_.project = new ProjectPage(document_);
+    groups_->add(forms_.project, tr("Project"), true);
+    forms_.certificate = new CertificateForm(document_);
+    set_help_place(*forms_.certificate, QStringLiteral("certificate"));
+    groups_->add(forms_.certificate, tr("Certificate"), true);
     groups_->add(new ReportForm(document_), tr("Report"));
 }
 
 void PropertiesPane::add_analysis_pages(const SetupAddress& entry) {
-    inputs_ = new InputsPage(document_, runner_, entry.id);
-    options_ = new OptionsForm(document_, entry.id);
+    forms_.inputs = new InputsPage(document_, runner_, entry.id);
+    forms_.options = new OptionsForm(document_, entry.id);
     show_forecast(to_qt(entry.id));
-    studies_ = new StudiesForm(document_, runner_, selection_, entry.id);
-    designs_ = new DesignsForm(document_, runner_, selection_, entry.id);
-    requirements_ = new RequirementsForm(document_, runner_, entry.id);
-    requirements_->set_units(units_);
-    connect(requirements_, &RequirementsForm::place_wanted, this, &PropertiesPane::place_wanted);
-    set_help_place(*inputs_, QStringLiteral("analysis-inputs"));
-    set_help_place(*options_, QStringLiteral("options"));
-    set_help_place(*studies_, QStringLiteral("analysis-studies"));
-    set_help_place(*designs_, QStringLiteral("analysis-designs"));
-    set_help_place(*requirements_, QStringLiteral("analysis-requirements"));
-    groups_->add(inputs_, tr("Inputs"));
-    groups_->add(options_, tr("Options"));
-    groups_->add(studies_, tr("Studies"));
-    groups_->add(designs_, tr("Designs"));
-    groups_->add(requirements_, tr("Requirements"));
+    forms_.studies = new StudiesForm(document_, runner_, selection_, entry.id);
+    forms_.designs = new DesignsForm(document_, runner_, selection_, entry.id);
+    forms_.requirements = new RequirementsForm(document_, runner_, entry.id);
+    forms_.requirements->set_units(units_);
+    connect(forms_.requirements, &RequirementsForm::place_wanted, this, &PropertiesPane::place_wanted);
+    set_help_place(*forms_.inputs, QStringLiteral("analysis-inputs"));
+    set_help_place(*forms_.options, QStringLiteral("options"));
+    set_help_place(*forms_.studies, QStringLiteral("analysis-studies"));
+    set_help_place(*forms_.designs, QStringLiteral("analysis-designs"));
+    set_help_place(*forms_.requirements, QStringLiteral("analysis-requirements"));
+    groups_->add(forms_.inputs, tr("Inputs"));
+    groups_->add(forms_.options, tr("Options"));
+    groups_->add(forms_.studies, tr("Studies"));
+    groups_->add(forms_.designs, tr("Designs"));
+    groups_->add(forms_.requirements, tr("Requirements"));
 }
 
 void PropertiesPane::show_forecast(const QString& analysis) {
-    if (!options_ || analysis != to_qt(selection_.entry().id)) return;
+    if (!forms_.options || analysis != to_qt(selection_.entry().id)) return;
     const auto& prepared = runner_.status(analysis).prepared;
-    options_->set_forecast(prepared ? to_qt(prepared->forecast) : QString());
+    forms_.options->set_forecast(prepared ? to_qt(prepared->forecast) : QString());
     summarise();
 }
 
 void PropertiesPane::summarise() {
     const AnalysisEntry* analysis = document_.project().find_analysis(selection_.entry().id);
-    if (analysis && inputs_ && groups_->count() > notes_group)
+    if (analysis && forms_.inputs && groups_->count() > notes_group)
         summarise_groups(*groups_, *analysis, runner_.status(to_qt(analysis->id)));
 }
 
 void PropertiesPane::discard_if_gone() {
-    if (setup_ && !find_setup(document_.project(), setup_->address())) rebuild();
+    if (forms_.setup && !find_setup(document_.project(), forms_.setup->address())) rebuild();
     if (hint_) hint_->setText(hint());  // entries come and go with undo, too
 }
 
 /// Shows the field selected elsewhere; the keyboard stays where it is.
 void PropertiesPane::follow_field(const QString& field) {
-    if (following_ || !setup_ || field.isEmpty()) return;
+    if (following_ || !forms_.setup || field.isEmpty()) return;
     const QPointer<QWidget> focus = QApplication::focusWidget();
     following_ = true;
-    if (setup_->focus_field(to_std(field))) scroll_to_focus();
+    if (forms_.setup->focus_field(to_std(field))) scroll_to_focus();
     following_ = false;
     if (focus) focus->setFocus();
 }
 
 void PropertiesPane::go_to_first_field() {
-    if (setup_) setup_->focus_first();
+    if (forms_.setup) forms_.setup->focus_first();
 }
 
 /// Brings the head of a group to the top of the pane, as far as the pages below it allow.
@@ -236,15 +235,16 @@ void PropertiesPane::scroll_to_focus() {
 
 void PropertiesPane::go_to_field(const QString& path) {
     const std::string field = to_std(path);
-    if (certificate_ && path.startsWith(QStringLiteral("/certificate"))) {
+    if (forms_.certificate && path.startsWith(QStringLiteral("/certificate"))) {
         groups_->open(certificate_group);
-        if (!certificate_->focus_field(field)) certificate_->focus_next_missing();
+        if (!forms_.certificate->focus_field(field)) forms_.certificate->focus_next_missing();
         return;
     }
     const auto group = group_of_place(field, entry_path(document_.project(), selection_.entry()));
-    if (inputs_ && group) groups_->open(*group);  // a hidden field gets no focus
+    if (forms_.inputs && group) groups_->open(*group);  // a hidden field gets no focus
     const auto focus_in = [&](auto*... forms) { (void)((forms && forms->focus_field(field)) || ...); };
-    focus_in(project_, studies_, designs_, requirements_, setup_, options_, inputs_);
+    focus_in(forms_.project, forms_.studies, forms_.designs, forms_.requirements, forms_.sources,
+             forms_.setup, forms_.options, forms_.inputs);
 }
 
 }  // namespace covaria::ui

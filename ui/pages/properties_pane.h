@@ -20,6 +20,7 @@ namespace covaria::ui {
 
 class CertificateForm;
 class FieldHelp;
+class FigureSourcesForm;
 class FoldGroups;
 class InputsPage;
 class InspectorHead;
@@ -44,7 +45,7 @@ public:
     void start_over() { rebuild(); }
     /// Brings the field that a JSON pointer into the project names into view and gives it the focus.
     void focus_field(const QString& path);
-    SetupForm* setup_form() const { return setup_; }
+    SetupForm* setup_form() const { return forms_.setup; }
     FoldGroups& groups() const { return *groups_; }
     /// Names what is selected, and leads to the entries before and after it: the pane's title.
     InspectorHead& head() { return *head_; }
@@ -58,6 +59,18 @@ signals:
     void place_wanted(const QString& path);
 
 private:
+    /// The forms of what is selected; null where it has none of the kind.
+    struct Forms {
+        SetupForm* setup = nullptr;
+        CertificateForm* certificate = nullptr;
+        ProjectPage* project = nullptr;
+        InputsPage* inputs = nullptr;
+        OptionsForm* options = nullptr;
+        StudiesForm* studies = nullptr;
+        DesignsForm* designs = nullptr;
+        RequirementsForm* requirements = nullptr;
+        FigureSourcesForm* sources = nullptr;
+    };
     void summarise();
     void start_help();
     void go_to_field(const QString& path);
@@ -80,14 +93,7 @@ private:
     QScrollArea* area_ = nullptr;
     FoldGroups* groups_ = nullptr;
     QPointer<QLabel> hint_;  ///< shown where no entry is selected
-    SetupForm* setup_ = nullptr;
-    CertificateForm* certificate_ = nullptr;
-    ProjectPage* project_ = nullptr;
-    InputsPage* inputs_ = nullptr;
-    OptionsForm* options_ = nullptr;
-    StudiesForm* studies_ = nullptr;
-    DesignsForm* designs_ = nullptr;
-    RequirementsForm* requirements_ = nullptr;
+    Forms forms_;
     DisplayUnits units_;
     bool following_ = false;  ///< the selection's field is being set or followed
 };

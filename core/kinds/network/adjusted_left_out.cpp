@@ -273,8 +273,7 @@ private:
         return !last_.empty();
     }
 
-    /// Takes back the readings that were left out last, because the network needs them; they stay from then
-    /// on.
+    /// Takes back the readings left out last, because the network needs them; they stay from then on.
     bool take_back() {
         for (const std::size_t row : last_) {
             stated_.readings[row].left_out = false;

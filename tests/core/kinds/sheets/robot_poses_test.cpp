@@ -165,8 +165,9 @@ TEST(RobotPoses, TheShareOfASimulatedTrackerIsFoundWithItsUncertainty) {
         setup.values["instrument"] = std::string("readings");
         SetupTable target;
         target.units.assign(3, Unit::of("mm"));
-        for (const auto& p : cell.cycles(30, {0.0, 0.0, 0.0}, Eigen::Vector3d::Constant(5e-3)).rowwise())
-            target.rows.push_back({p[0], p[1], p[2]});
+        const auto fixed = cell.cycles(30, {0.0, 0.0, 0.0}, Eigen::Vector3d::Constant(5e-3));
+        for (Eigen::Index i = 0; i < fixed.rows(); ++i)
+            target.rows.push_back({fixed(i, 0), fixed(i, 1), fixed(i, 2)});
         setup.values["fixed_target"] = target;
         const auto model = made(performance, setup);
         const FirstOrderOutput w = first_order(*model, "w_I"), r = first_order(*model, "RP_R");
