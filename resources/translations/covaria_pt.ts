@@ -2,68 +2,6 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="pt" sourcelanguage="en">
 <context>
-    <name>covaria::ui::OutputsTab</name>
-    <message>
-        <source>Filter: symbol, name, group</source>
-        <translation>Filtro: símbolo, nome, grupo</translation>
-    </message>
-    <message>
-        <source>Filter of the results</source>
-        <translation>Filtro dos resultados</translation>
-    </message>
-    <message>
-        <source>All groups</source>
-        <translation>Todos os grupos</translation>
-    </message>
-    <message>
-        <source>Results of all poses, points or targets, whichever is selected</source>
-        <translation>Resultados de todas as poses, pontos ou alvos, qualquer que seja o selecionado</translation>
-    </message>
-    <message>
-        <source>Not met only</source>
-        <translation>Só não atendidos</translation>
-    </message>
-    <message>
-        <source>Only results whose target uncertainty or tolerance is not met</source>
-        <translation>Só resultados cuja incerteza-alvo ou tolerância não é atendida</translation>
-    </message>
-    <message>
-        <source>results</source>
-        <translation>resultados</translation>
-    </message>
-    <message>
-        <source>Unit</source>
-        <translation>Unidade</translation>
-    </message>
-    <message>
-        <source>Shortest Coverage Intervals</source>
-        <translation>Intervalos de abrangência mais curtos</translation>
-    </message>
-</context>
-<context>
-    <name>covaria::ui::PairCorrelation</name>
-    <message>
-        <source>Correlation coefficient</source>
-        <translation>Coeficiente de correlação</translation>
-    </message>
-    <message>
-        <source>&lt;i&gt;r&lt;/i&gt;(%1, %2) =</source>
-        <translation>&lt;i&gt;r&lt;/i&gt;(%1, %2) =</translation>
-    </message>
-    <message>
-        <source>&lt;i&gt;r&lt;/i&gt; of two rows =</source>
-        <translation>&lt;i&gt;r&lt;/i&gt; de duas linhas =</translation>
-    </message>
-    <message>
-        <source>Both quantities need an uncertainty before they can be correlated</source>
-        <translation>Ambas as grandezas precisam de uma incerteza antes de poderem ser correlacionadas</translation>
-    </message>
-    <message>
-        <source>Select two rows, and type the correlation coefficient of their components</source>
-        <translation>Selecione duas linhas e digite o coeficiente de correlação de suas componentes</translation>
-    </message>
-</context>
-<context>
     <name>QObject</name>
     <message>
         <source>Move %1</source>
@@ -17650,6 +17588,490 @@ nu 18 atrás de qualquer um deles: graus de liberdade</translation>
         <source>deviation of the barycentre of %1, %2</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>x in a frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>y in a frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>z in a frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of a coordinate in a frame: the name of the frame, whose pose the readings tell: that of an arm, a scanner, a photogrammetric network.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frames, planes and lines</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frames that readings name, where more is known of them than that their pose is unknown, and planes and lines on which points are.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name of the frame, as in the column of the readings.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An own frame with all of its axes; or a plane, from which points are as far as their z in it says; or a line along its x-axis, from which their y and z say how far they are.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>own frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scale of an own frame: fixed; unknown, so that the readings tell it; stated with u.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>scale beyond 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By how much coordinates in the frame are too long; 0 where it is empty.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>u of scale</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of a stated scale.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of an own frame whose z-axis is vertical: within that standard uncertainty about x and about y; empty: nothing is known of it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>two frames are called %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has no scale and no tilt to state</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the u of its stated scale is missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no reading in %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has points without heights</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a coordinate of %1 in a frame: the name of the frame is missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has no such coordinate of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a coordinate in %1 needs x and y of %2, which are not part of the network</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing tells how %1 lies: read more points in it whose places other readings tell, not all on a line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, there and back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>angle at %1 from %2 to %3, in two rounds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>loop of differences of x, %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>loop of differences of y, %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>loop of height differences, %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>before the adjustment: %1 closes with %2 %3, %4 times its u</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>and %1 more closures are beyond 3.29 times their u</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Closures before the adjustment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Closure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>misclosure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>u of the misclosure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>misclosure over u</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>too large?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 closures are beyond 3.29 times their u (0.1 %).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>coordinates in frames</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>frame %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>plane %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>line %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>station %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>target %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>directions at %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>directions at %1, round %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Groups of readings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>controlled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sum of squares falls by</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>contradicts the others?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Without the group the sum of squares falls by as much, which is a chi-square of as many degrees of freedom as of its readings the others control; p is its probability.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 groups have p &lt; 0.1 %; where several do, look at the first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, origin along %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, offset along its %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, tilt about its %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, turn about %2 after a right angle about y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, turn about %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tilt of %1 about %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 in %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>frames</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it must be the SHA-256 of the file: 64 hexadecimal digits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its figures would have been valid only before the calibration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the symbol of a quantity or the key of a field is missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a range needs its lowest or its highest value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its unit does not fit that of the lowest value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is below the lowest value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation type="unfinished">%1 de %2 de %3 {1 %2?}</translation>
+    </message>
+    <message>
+        <source>%1 %2 of %3</source>
+        <translation type="unfinished">%1 de %3 {1 %2 ?}</translation>
+    </message>
+    <message>
+        <source>nothing says which certificate it is: its number is missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a range of a certificate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a certificate of figures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its figures hold for %1 of %2, and here it is %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its figures hold for %1 of %2, and nothing here is called so</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>applicable</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>outside what it holds for</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>expired</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>until when it is valid is not stated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the date of the measurement is not stated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is of %1, and the measurement of %2 before it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it was valid until %1, and the measurement is of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1; %2</source>
+        <translation type="unfinished">%1: %2 {1;?}</translation>
+    </message>
+    <message>
+        <source>%1: %2: %3</source>
+        <translation type="unfinished">%1, %2: %3 {1:?} {2:?}</translation>
+    </message>
+    <message>
+        <source>Certificates of the figures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Figures of</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Calibrated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Valid until</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <translation type="unfinished">%1: %2. {1:?}</translation>
+    </message>
+    <message>
+        <source>Of %1 artefacts and instruments %2 have no certificate; their figures are assumed: %3.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is no project</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it has errors</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, with the old figures: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, with the new figures: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: with the new figures there is no %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no folder or file %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the folder %1 cannot be read: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Results that change, the largest change first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change in U</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Verdict before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Verdict after</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 projects and reports were looked at; %2 use the figures.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of %1 results %2 change, %3 of them in what is stated; %4 verdicts change.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 could not be evaluated.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Impact of new figures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Results that rest on a certificate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Replaced</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Looked for in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The change of the value is given in units of the expanded uncertainty that was stated.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Documents to amend</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not evaluated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the tables of quantities have other units</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the new figures say nothing of the quantity %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none of the quantities of the certificate is stated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 states no quantities in a table</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has nothing with the id %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has no new figures for %2: nothing in it is of the same kind</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has several figures that %2 could have: name the one behind &apos;#&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -18361,38 +18783,33 @@ nu 18 atrás de qualquer um deles: graus de liberdade</translation>
     </message>
 </context>
 <context>
+    <name>covaria::ui::BudgetFootModel</name>
+    <message>
+        <source>Out of date: being computed.</source>
+        <translation type="unfinished">Desatualizado: em cálculo.</translation>
+    </message>
+    <message>
+        <source>Combined standard uncertainty by the law of propagation</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>covaria::ui::BudgetPage</name>
-    <message>
-        <source>Correlation coefficient</source>
-        <translation>Coeficiente de correlação</translation>
-    </message>
-    <message>
-        <source>Select two rows, and type the correlation coefficient of their components</source>
-        <translation>Selecione duas linhas e digite o coeficiente de correlação de suas componentes</translation>
-    </message>
     <message>
         <source>Budget</source>
         <translation>Balanço</translation>
-    </message>
-    <message>
-        <source>&lt;i&gt;r&lt;/i&gt; of two rows =</source>
-        <translation>&lt;i&gt;r&lt;/i&gt; de duas linhas =</translation>
     </message>
     <message>
         <source>Correlation of Two Rows</source>
         <translation>Correlação de duas linhas</translation>
     </message>
     <message>
-        <source>&lt;i&gt;r&lt;/i&gt;(%1, %2) =</source>
-        <translation>&lt;i&gt;r&lt;/i&gt;(%1, %2) =</translation>
-    </message>
-    <message>
-        <source>Both quantities need an uncertainty before they can be correlated</source>
-        <translation>Ambas as grandezas precisam de uma incerteza antes de poderem ser correlacionadas</translation>
-    </message>
-    <message>
         <source>c and share by the law of propagation, whose u is %1 of that by Monte Carlo</source>
         <translation>c e parcela pela lei de propagação, cuja u é %1 da de Monte Carlo</translation>
+    </message>
+    <message>
+        <source>Result of the budget</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -18416,6 +18833,10 @@ nu 18 atrás de qualquer um deles: graus de liberdade</translation>
     <message>
         <source>The observations are read from %1.</source>
         <translation>As observações são lidas de %1.</translation>
+    </message>
+    <message>
+        <source>type, or paste rows</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -19484,6 +19905,10 @@ nu 18 atrás de qualquer um deles: graus de liberdade</translation>
         <source>Another program has changed the file since it was read.</source>
         <translation>Outro programa alterou o arquivo desde que foi lido.</translation>
     </message>
+    <message>
+        <source>Change the requirements for %1 results</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::EmptyProject</name>
@@ -19684,6 +20109,77 @@ Nesses lugares ele diz “não declarado”. São campos da página do projeto.<
     <message>
         <source>Numbers may be typed with another unit (%1); the arrow keys change the last digit.</source>
         <translation>Números podem ser digitados com outra unidade (%1); as teclas de seta alteram o último algarismo.</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::FigureSourcesForm</name>
+    <message>
+        <source>certificate %1, not named yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Applicable in %1 analyses.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No analysis uses these figures.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change the date of the measurement</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Certificate of the figures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Adds a certificate that figures come from</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Removes this certificate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Takes name and digest of the certificate&apos;s file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation type="unfinished">Tipo</translation>
+    </message>
+    <message>
+        <source>Change the kind of a certificate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change %1</source>
+        <translation type="unfinished">Alterar %1</translation>
+    </message>
+    <message>
+        <source>Add a certificate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove a certificate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>File of the Certificate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take the file of a certificate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>These figures are assumed: no certificate states them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No certificate states the figures of this set-up.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -20589,6 +21085,53 @@ Escolhido: %2</translation>
     </message>
 </context>
 <context>
+    <name>covaria::ui::OutputsTab</name>
+    <message>
+        <source>Filter: symbol, name, group</source>
+        <translation>Filtro: símbolo, nome, grupo</translation>
+    </message>
+    <message>
+        <source>Filter of the results</source>
+        <translation>Filtro dos resultados</translation>
+    </message>
+    <message>
+        <source>All groups</source>
+        <translation>Todos os grupos</translation>
+    </message>
+    <message>
+        <source>Results of all poses, points or targets, whichever is selected</source>
+        <translation>Resultados de todas as poses, pontos ou alvos, qualquer que seja o selecionado</translation>
+    </message>
+    <message>
+        <source>Not met only</source>
+        <translation>Só não atendidos</translation>
+    </message>
+    <message>
+        <source>Only results whose target uncertainty or tolerance is not met</source>
+        <translation>Só resultados cuja incerteza-alvo ou tolerância não é atendida</translation>
+    </message>
+    <message>
+        <source>results</source>
+        <translation>resultados</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Unidade</translation>
+    </message>
+    <message>
+        <source>Shortest Coverage Intervals</source>
+        <translation>Intervalos de abrangência mais curtos</translation>
+    </message>
+    <message>
+        <source>Require…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Target uncertainty and limits of the results that are selected</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>covaria::ui::PageBar</name>
     <message>
         <source>%1 %</source>
@@ -20649,6 +21192,29 @@ Escolhido: %2</translation>
     <message>
         <source>Page %1</source>
         <translation>Página %1</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::PairCorrelation</name>
+    <message>
+        <source>Correlation coefficient</source>
+        <translation>Coeficiente de correlação</translation>
+    </message>
+    <message>
+        <source>&lt;i&gt;r&lt;/i&gt;(%1, %2) =</source>
+        <translation>&lt;i&gt;r&lt;/i&gt;(%1, %2) =</translation>
+    </message>
+    <message>
+        <source>&lt;i&gt;r&lt;/i&gt; of two rows =</source>
+        <translation>&lt;i&gt;r&lt;/i&gt; de duas linhas =</translation>
+    </message>
+    <message>
+        <source>Both quantities need an uncertainty before they can be correlated</source>
+        <translation>Ambas as grandezas precisam de uma incerteza antes de poderem ser correlacionadas</translation>
+    </message>
+    <message>
+        <source>Select two rows, and type the correlation coefficient of their components</source>
+        <translation>Selecione duas linhas e digite o coeficiente de correlação de suas componentes</translation>
     </message>
 </context>
 <context>
@@ -21178,6 +21744,10 @@ It is used by: %1. They will have an error until they use something else.</sourc
         <source>Notes</source>
         <translation>Notas</translation>
     </message>
+    <message>
+        <source>Certificates</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::QuantityEdit</name>
@@ -21343,6 +21913,13 @@ It is used by: %1. They will have an error until they use something else.</sourc
     </message>
 </context>
 <context>
+    <name>covaria::ui::RequirementDialog</name>
+    <message>
+        <source>Require of Results</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>covaria::ui::RequirementsForm</name>
     <message>
         <source>U = %1: the target is %2.</source>
@@ -21411,10 +21988,6 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>Result</source>
         <translation>Resultado</translation>
-    </message>
-    <message>
-        <source>Change the requirement for %1</source>
-        <translation>Alterar o requisito para %1</translation>
     </message>
     <message>
         <source>By the law of propagation; Monte Carlo is to follow.</source>
@@ -21493,42 +22066,6 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>Significant digits of uncertainties in the window; estimates are rounded to match. Documents have those of the project page.</source>
         <translation>Algarismos significativos das incertezas na janela; as estimativas são arredondadas de acordo. Os documentos têm os da página do projeto.</translation>
-    </message>
-    <message>
-        <source>Filter: symbol, name, group</source>
-        <translation>Filtro: símbolo, nome, grupo</translation>
-    </message>
-    <message>
-        <source>Filter of the results</source>
-        <translation>Filtro dos resultados</translation>
-    </message>
-    <message>
-        <source>All groups</source>
-        <translation>Todos os grupos</translation>
-    </message>
-    <message>
-        <source>Results of all poses, points or targets, whichever is selected</source>
-        <translation>Resultados de todas as poses, pontos ou alvos, qualquer que seja o selecionado</translation>
-    </message>
-    <message>
-        <source>Not met only</source>
-        <translation>Só não atendidos</translation>
-    </message>
-    <message>
-        <source>Only results whose target uncertainty or tolerance is not met</source>
-        <translation>Só resultados cuja incerteza-alvo ou tolerância não é atendida</translation>
-    </message>
-    <message>
-        <source>results</source>
-        <translation>resultados</translation>
-    </message>
-    <message>
-        <source>Unit</source>
-        <translation>Unidade</translation>
-    </message>
-    <message>
-        <source>Shortest Coverage Intervals</source>
-        <translation>Intervalos de abrangência mais curtos</translation>
     </message>
     <message>
         <source>budget</source>

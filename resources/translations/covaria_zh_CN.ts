@@ -2,68 +2,6 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="zh_CN" sourcelanguage="en">
 <context>
-    <name>covaria::ui::OutputsTab</name>
-    <message>
-        <source>Filter: symbol, name, group</source>
-        <translation>筛选：符号、名称、组</translation>
-    </message>
-    <message>
-        <source>Filter of the results</source>
-        <translation>结果筛选</translation>
-    </message>
-    <message>
-        <source>All groups</source>
-        <translation>所有组</translation>
-    </message>
-    <message>
-        <source>Results of all poses, points or targets, whichever is selected</source>
-        <translation>所有位姿、点或目标点的结果，无论选择了哪一个</translation>
-    </message>
-    <message>
-        <source>Not met only</source>
-        <translation>仅显示不满足的</translation>
-    </message>
-    <message>
-        <source>Only results whose target uncertainty or tolerance is not met</source>
-        <translation>仅显示不满足目标不确定度或容差的结果</translation>
-    </message>
-    <message>
-        <source>results</source>
-        <translation>结果</translation>
-    </message>
-    <message>
-        <source>Unit</source>
-        <translation>单位</translation>
-    </message>
-    <message>
-        <source>Shortest Coverage Intervals</source>
-        <translation>最短包含区间</translation>
-    </message>
-</context>
-<context>
-    <name>covaria::ui::PairCorrelation</name>
-    <message>
-        <source>Correlation coefficient</source>
-        <translation>相关系数</translation>
-    </message>
-    <message>
-        <source>&lt;i&gt;r&lt;/i&gt;(%1, %2) =</source>
-        <translation>&lt;i&gt;r&lt;/i&gt;(%1, %2) =</translation>
-    </message>
-    <message>
-        <source>&lt;i&gt;r&lt;/i&gt; of two rows =</source>
-        <translation>两行的 &lt;i&gt;r&lt;/i&gt; =</translation>
-    </message>
-    <message>
-        <source>Both quantities need an uncertainty before they can be correlated</source>
-        <translation>两个量都须有不确定度，才能给出相关系数</translation>
-    </message>
-    <message>
-        <source>Select two rows, and type the correlation coefficient of their components</source>
-        <translation>选择两行，输入其分量的相关系数</translation>
-    </message>
-</context>
-<context>
     <name>QObject</name>
     <message>
         <source>Move %1</source>
@@ -17649,6 +17587,490 @@ sample 1; 2; 3 weights 2; 5; 2（按原样抽取），histogram 0; 1; 2 weights 
         <source>deviation of the barycentre of %1, %2</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>x in a frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>y in a frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>z in a frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of a coordinate in a frame: the name of the frame, whose pose the readings tell: that of an arm, a scanner, a photogrammetric network.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frames, planes and lines</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frames that readings name, where more is known of them than that their pose is unknown, and planes and lines on which points are.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name of the frame, as in the column of the readings.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An own frame with all of its axes; or a plane, from which points are as far as their z in it says; or a line along its x-axis, from which their y and z say how far they are.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>own frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scale of an own frame: fixed; unknown, so that the readings tell it; stated with u.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>scale beyond 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By how much coordinates in the frame are too long; 0 where it is empty.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>u of scale</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of a stated scale.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of an own frame whose z-axis is vertical: within that standard uncertainty about x and about y; empty: nothing is known of it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>two frames are called %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has no scale and no tilt to state</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the u of its stated scale is missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no reading in %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has points without heights</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a coordinate of %1 in a frame: the name of the frame is missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has no such coordinate of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a coordinate in %1 needs x and y of %2, which are not part of the network</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing tells how %1 lies: read more points in it whose places other readings tell, not all on a line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, there and back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>angle at %1 from %2 to %3, in two rounds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>loop of differences of x, %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>loop of differences of y, %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>loop of height differences, %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>before the adjustment: %1 closes with %2 %3, %4 times its u</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>and %1 more closures are beyond 3.29 times their u</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Closures before the adjustment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Closure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>misclosure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>u of the misclosure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>misclosure over u</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>too large?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 closures are beyond 3.29 times their u (0.1 %).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>coordinates in frames</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>frame %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>plane %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>line %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>station %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>target %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>directions at %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>directions at %1, round %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Groups of readings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>controlled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sum of squares falls by</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>contradicts the others?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Without the group the sum of squares falls by as much, which is a chi-square of as many degrees of freedom as of its readings the others control; p is its probability.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 groups have p &lt; 0.1 %; where several do, look at the first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, origin along %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, offset along its %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, tilt about its %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, turn about %2 after a right angle about y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, turn about %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tilt of %1 about %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 in %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>frames</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it must be the SHA-256 of the file: 64 hexadecimal digits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its figures would have been valid only before the calibration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the symbol of a quantity or the key of a field is missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a range needs its lowest or its highest value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its unit does not fit that of the lowest value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is below the lowest value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation type="unfinished">%3年%2%1日 {1 %2?}</translation>
+    </message>
+    <message>
+        <source>%1 %2 of %3</source>
+        <translation type="unfinished">%1 / %3 {1 %2 ?}</translation>
+    </message>
+    <message>
+        <source>nothing says which certificate it is: its number is missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a range of a certificate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a certificate of figures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its figures hold for %1 of %2, and here it is %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its figures hold for %1 of %2, and nothing here is called so</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>applicable</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>outside what it holds for</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>expired</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>until when it is valid is not stated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the date of the measurement is not stated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is of %1, and the measurement of %2 before it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it was valid until %1, and the measurement is of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1; %2</source>
+        <translation type="unfinished">%1：%2 {1;?}</translation>
+    </message>
+    <message>
+        <source>%1: %2: %3</source>
+        <translation type="unfinished">%1，%2：%3 {1:?} {2:?}</translation>
+    </message>
+    <message>
+        <source>Certificates of the figures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Figures of</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Calibrated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Valid until</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <translation type="unfinished">%1：%2. {1:?}</translation>
+    </message>
+    <message>
+        <source>Of %1 artefacts and instruments %2 have no certificate; their figures are assumed: %3.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is no project</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it has errors</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, with the old figures: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, with the new figures: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: with the new figures there is no %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no folder or file %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the folder %1 cannot be read: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Results that change, the largest change first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change in U</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Verdict before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Verdict after</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 projects and reports were looked at; %2 use the figures.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of %1 results %2 change, %3 of them in what is stated; %4 verdicts change.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 could not be evaluated.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Impact of new figures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Results that rest on a certificate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Replaced</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Looked for in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The change of the value is given in units of the expanded uncertainty that was stated.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Documents to amend</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not evaluated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the tables of quantities have other units</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the new figures say nothing of the quantity %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none of the quantities of the certificate is stated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 states no quantities in a table</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has nothing with the id %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has no new figures for %2: nothing in it is of the same kind</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has several figures that %2 could have: name the one behind &apos;#&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -18360,38 +18782,33 @@ sample 1; 2; 3 weights 2; 5; 2（按原样抽取），histogram 0; 1; 2 weights 
     </message>
 </context>
 <context>
+    <name>covaria::ui::BudgetFootModel</name>
+    <message>
+        <source>Out of date: being computed.</source>
+        <translation type="unfinished">已过期：正在计算。</translation>
+    </message>
+    <message>
+        <source>Combined standard uncertainty by the law of propagation</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>covaria::ui::BudgetPage</name>
-    <message>
-        <source>Correlation coefficient</source>
-        <translation>相关系数</translation>
-    </message>
-    <message>
-        <source>Select two rows, and type the correlation coefficient of their components</source>
-        <translation>选择两行，输入其分量的相关系数</translation>
-    </message>
     <message>
         <source>Budget</source>
         <translation>预算</translation>
-    </message>
-    <message>
-        <source>&lt;i&gt;r&lt;/i&gt; of two rows =</source>
-        <translation>两行的 &lt;i&gt;r&lt;/i&gt; =</translation>
     </message>
     <message>
         <source>Correlation of Two Rows</source>
         <translation>两行的相关性</translation>
     </message>
     <message>
-        <source>&lt;i&gt;r&lt;/i&gt;(%1, %2) =</source>
-        <translation>&lt;i&gt;r&lt;/i&gt;(%1, %2) =</translation>
-    </message>
-    <message>
-        <source>Both quantities need an uncertainty before they can be correlated</source>
-        <translation>两个量都须有不确定度，才能给出相关系数</translation>
-    </message>
-    <message>
         <source>c and share by the law of propagation, whose u is %1 of that by Monte Carlo</source>
         <translation>c 和占比按传播律，其 u 为蒙特卡洛 u 的 %1</translation>
+    </message>
+    <message>
+        <source>Result of the budget</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -18415,6 +18832,10 @@ sample 1; 2; 3 weights 2; 5; 2（按原样抽取），histogram 0; 1; 2 weights 
     <message>
         <source>The observations are read from %1.</source>
         <translation>观测值从 %1 读取。</translation>
+    </message>
+    <message>
+        <source>type, or paste rows</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -19481,6 +19902,10 @@ sample 1; 2; 3 weights 2; 5; 2（按原样抽取），histogram 0; 1; 2 weights 
         <source>Another program has changed the file since it was read.</source>
         <translation>自读取以来，另一个程序更改了该文件。</translation>
     </message>
+    <message>
+        <source>Change the requirements for %1 results</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::EmptyProject</name>
@@ -19681,6 +20106,77 @@ It says “not stated” in these places. They are fields of the project&apos;s 
     <message>
         <source>Numbers may be typed with another unit (%1); the arrow keys change the last digit.</source>
         <translation>数值可以用其他单位输入（%1）；方向键改变最后一位数字。</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::FigureSourcesForm</name>
+    <message>
+        <source>certificate %1, not named yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Applicable in %1 analyses.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No analysis uses these figures.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change the date of the measurement</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Certificate of the figures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Adds a certificate that figures come from</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Removes this certificate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Takes name and digest of the certificate&apos;s file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation type="unfinished">种类</translation>
+    </message>
+    <message>
+        <source>Change the kind of a certificate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change %1</source>
+        <translation type="unfinished">更改%1</translation>
+    </message>
+    <message>
+        <source>Add a certificate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove a certificate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>File of the Certificate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take the file of a certificate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>These figures are assumed: no certificate states them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No certificate states the figures of this set-up.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -20585,6 +21081,53 @@ Chosen: %2</source>
     </message>
 </context>
 <context>
+    <name>covaria::ui::OutputsTab</name>
+    <message>
+        <source>Filter: symbol, name, group</source>
+        <translation>筛选：符号、名称、组</translation>
+    </message>
+    <message>
+        <source>Filter of the results</source>
+        <translation>结果筛选</translation>
+    </message>
+    <message>
+        <source>All groups</source>
+        <translation>所有组</translation>
+    </message>
+    <message>
+        <source>Results of all poses, points or targets, whichever is selected</source>
+        <translation>所有位姿、点或目标点的结果，无论选择了哪一个</translation>
+    </message>
+    <message>
+        <source>Not met only</source>
+        <translation>仅显示不满足的</translation>
+    </message>
+    <message>
+        <source>Only results whose target uncertainty or tolerance is not met</source>
+        <translation>仅显示不满足目标不确定度或容差的结果</translation>
+    </message>
+    <message>
+        <source>results</source>
+        <translation>结果</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>单位</translation>
+    </message>
+    <message>
+        <source>Shortest Coverage Intervals</source>
+        <translation>最短包含区间</translation>
+    </message>
+    <message>
+        <source>Require…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Target uncertainty and limits of the results that are selected</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>covaria::ui::PageBar</name>
     <message>
         <source>%1 %</source>
@@ -20645,6 +21188,29 @@ Chosen: %2</source>
     <message>
         <source>Page %1</source>
         <translation>第 %1 页</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::PairCorrelation</name>
+    <message>
+        <source>Correlation coefficient</source>
+        <translation>相关系数</translation>
+    </message>
+    <message>
+        <source>&lt;i&gt;r&lt;/i&gt;(%1, %2) =</source>
+        <translation>&lt;i&gt;r&lt;/i&gt;(%1, %2) =</translation>
+    </message>
+    <message>
+        <source>&lt;i&gt;r&lt;/i&gt; of two rows =</source>
+        <translation>两行的 &lt;i&gt;r&lt;/i&gt; =</translation>
+    </message>
+    <message>
+        <source>Both quantities need an uncertainty before they can be correlated</source>
+        <translation>两个量都须有不确定度，才能给出相关系数</translation>
+    </message>
+    <message>
+        <source>Select two rows, and type the correlation coefficient of their components</source>
+        <translation>选择两行，输入其分量的相关系数</translation>
     </message>
 </context>
 <context>
@@ -21174,6 +21740,10 @@ It is used by: %1. They will have an error until they use something else.</sourc
         <source>Notes</source>
         <translation>附注</translation>
     </message>
+    <message>
+        <source>Certificates</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::QuantityEdit</name>
@@ -21339,6 +21909,13 @@ It is used by: %1. They will have an error until they use something else.</sourc
     </message>
 </context>
 <context>
+    <name>covaria::ui::RequirementDialog</name>
+    <message>
+        <source>Require of Results</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>covaria::ui::RequirementsForm</name>
     <message>
         <source>U = %1: the target is %2.</source>
@@ -21407,10 +21984,6 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>Result</source>
         <translation>结果</translation>
-    </message>
-    <message>
-        <source>Change the requirement for %1</source>
-        <translation>更改对 %1 的要求</translation>
     </message>
     <message>
         <source>By the law of propagation; Monte Carlo is to follow.</source>
@@ -21489,42 +22062,6 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>Significant digits of uncertainties in the window; estimates are rounded to match. Documents have those of the project page.</source>
         <translation>窗口中不确定度的有效位数；估计值相应修约。文件采用项目页面中的位数。</translation>
-    </message>
-    <message>
-        <source>Filter: symbol, name, group</source>
-        <translation>筛选：符号、名称、组</translation>
-    </message>
-    <message>
-        <source>Filter of the results</source>
-        <translation>结果筛选</translation>
-    </message>
-    <message>
-        <source>All groups</source>
-        <translation>所有组</translation>
-    </message>
-    <message>
-        <source>Results of all poses, points or targets, whichever is selected</source>
-        <translation>所有位姿、点或目标点的结果，无论选择了哪一个</translation>
-    </message>
-    <message>
-        <source>Not met only</source>
-        <translation>仅显示不满足的</translation>
-    </message>
-    <message>
-        <source>Only results whose target uncertainty or tolerance is not met</source>
-        <translation>仅显示不满足目标不确定度或容差的结果</translation>
-    </message>
-    <message>
-        <source>results</source>
-        <translation>结果</translation>
-    </message>
-    <message>
-        <source>Unit</source>
-        <translation>单位</translation>
-    </message>
-    <message>
-        <source>Shortest Coverage Intervals</source>
-        <translation>最短包含区间</translation>
     </message>
     <message>
         <source>budget</source>
