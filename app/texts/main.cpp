@@ -16,6 +16,7 @@
 #include "core/made/load_project.h"
 #include "core/manual/help_words.h"
 #include "core/math/rotation_convention.h"
+#include "core/project/asset_certificate_fields.h"
 #include "core/project/certificate.h"
 #include "core/project/design_fields.h"
 #include "core/project/option_fields.h"
@@ -129,6 +130,12 @@ void say_parts_of_project(TextList& list) {
             list.say(std::string("Help on ") + field.title, field.help);
         }
     }
+    for (const AssetCertificateText& text : asset_certificate_texts()) {
+        list.say("Field of a certificate that figures come from", text.title);
+        list.say(std::string("Help on ") + text.title, text.help);
+    }
+    for (const FiguresFromWord& word : figures_from_words())
+        list.say_word("What figures come from", word.title);
     for (const CertificateSite& site : certificate_sites())
         list.say("Whose place a calibration was performed at", site.words);
     for (const DesignObjective objective :

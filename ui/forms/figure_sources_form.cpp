@@ -47,8 +47,9 @@ FieldSpec spec_of(const AssetCertificateText& text) {
 FieldSpec spec_of_measured() {
     FieldSpec spec;
     spec.key = "measured";
-    spec.title = "Date of the measurement";
-    spec.help = "A date, or two of an interval; empty: that of the project's certificate.";
+    spec.title = to_std(FigureSourcesForm::tr("Date of the measurement"));
+    spec.help = to_std(
+        FigureSourcesForm::tr("A date, or two of an interval; empty: that of the project's certificate."));
     return spec;
 }
 
