@@ -29,15 +29,13 @@ import groups
 import networks
 import poses
 import robots
-from units import factor, zero
+from dual import Dual
+from units import exact, factor, si
 
-MODELS = {"measurement-equation": lambda entry, project: equations.evaluate(entry, lambda inputs: project.linked(entry, inputs)),
-          "pose-from-points": lambda entry, project: poses.evaluate(entry), "network-adjustment": networks.evaluate,
-          "calibration-curve": curves.evaluate, "observations-in-groups": groups.evaluate,
-          "geometry-from-points": geometry.evaluate, "feature-relations": geometry.relations, "distance-meter-baseline": baselines.evaluate,
-          "robot-pose": robots.evaluate, "tcp-from-ballbars": ballbars.evaluate}
-LINKED = ("measurement-equation",)
-EDITED = ("measurement-equation",)
+MODELS = {"measurement-equation": equations.evaluate, "pose-from-points": poses.evaluate, "network-adjustment": networks.evaluate,
+          "calibration-curve": curves.evaluate, "observations-in-groups": groups.evaluate, "geometry-from-points": geometry.evaluate,
+          "feature-relations": geometry.relations, "distance-meter-baseline": baselines.evaluate, "robot-pose": robots.evaluate,
+          "tcp-from-ballbars": ballbars.evaluate}
 BOUND = mp.mpf("1e-9")
 
 
@@ -48,20 +46,27 @@ class Project:
         self.folder, content = pathlib.Path(path).parent, json.loads(pathlib.Path(path).read_text())
         self.entries = {entry["id"]: entry for entry in content["analyses"]}
         self.assets = {asset["id"]: asset for asset in content.get("assets", [])}
-        self.results = {analysis["id"]: analysis for analysis in results["analyses"]}
+        self.outputs = {analysis["id"]: analysis["outputs"] for analysis in results["analyses"]}
         self.known = {}
+
+    def started(self, name):
+        """Estimates of the program, from which fits and networks begin."""
+        return {(output["symbol"], output["group"]): si(output["estimate"], output["unit"]) for output in self.outputs[name]}
+
+    def evaluated(self, entry):
+        model = entry["model"]
+        if model not in MODELS:
+            raise NotImplementedError(model)
+        for key in ("links", "inputs"):
+            if entry.get(key) and model != "measurement-equation":
+                raise NotImplementedError(f"{model} with {key}")
+        return MODELS[model](entry, self)
 
     def of(self, name):
         """(results as duals, inputs), or what is not covered, again."""
         if name not in self.known:
-            entry = self.entries[name]
             try:
-                for key, able in (("links", LINKED), ("inputs", EDITED)):
-                    if entry.get(key) and entry["model"] in MODELS and entry["model"] not in able:
-                        raise NotImplementedError(f"{entry['model']} with {key}")
-                if entry["model"] not in MODELS:
-                    raise NotImplementedError(entry["model"])
-                self.known[name] = MODELS[entry["model"]](entry, self)
+                self.known[name] = self.evaluated(self.entries[name])
             except NotImplementedError as what:
                 self.known[name] = what
         if isinstance(self.known[name], NotImplementedError):
@@ -84,15 +89,15 @@ class Project:
                 inputs.estimates[index[i]] = name, estimate
             for (i, j), r in own.correlation.items():
                 inputs.correlate(index[i], index[j], r)
-        return {key: type(value)(value.v, {full(k): d for k, d in value.g.items()}) for key, value in defined.items()}
+        return {key: Dual(value.v, {full(k): d for k, d in value.g.items()}) for key, value in defined.items()}
 
     def linked(self, entry, inputs):
         """symbol of an input quantity -> the result of another analysis; what the set-up says of its own uncertainty does not count."""
-        found = {}
-        for link in entry.get("links", []):
-            results = self.taken(link["analysis"], inputs)
-            found[link["input"]] = results[link["output"], link["group"]] if (link["output"], link.get("group")) in results else results[link["output"]]
-        return found
+        return {link["input"]: of_group(self.taken(link["analysis"], inputs), link["output"], link.get("group")) for link in entry.get("links", [])}
+
+
+def of_group(results, symbol, group):
+    return results[symbol, group] if (symbol, group) in results else results[symbol]
 
 
 def relative(a, b):
@@ -101,46 +106,45 @@ def relative(a, b):
 
 def differences(output, computed, inputs):
     """(figure, relative difference) of a result line of results.json."""
-    unit = output["unit"]
-    first = output.get("firstOrder") or output
+    unit, first = output["unit"], output.get("firstOrder") or output
     u = first_order.uncertainty(computed.g, inputs)
-    estimate = mp.mpf(repr(first["estimate"])) * factor(unit) + zero(unit)
-    scale = max(abs(computed.v), abs(u))
-    yield "estimate", abs(estimate - computed.v) / scale if scale else abs(estimate)
-    if first["standardUncertainty"] is not None:
-        yield "u", relative(mp.mpf(repr(first["standardUncertainty"])) * factor(unit), u)
+    difference, scale = abs(si(first["estimate"], unit) - computed.v), max(abs(computed.v), abs(u))
+    yield "estimate", difference / scale if scale else difference
+    yield "u", relative(exact(first["standardUncertainty"] or 0) * factor(unit), u)
     nu = first.get("effectiveDegreesOfFreedom")
-    if nu is not None and not inputs.correlation:
-        own = getattr(inputs, "nu", None) or first_order.effective_degrees_of_freedom(computed.g, inputs)
-        yield "nu_eff", relative(mp.mpf(repr(nu)), own)
+    if not inputs.correlation:
+        own = inputs.nu or first_order.effective_degrees_of_freedom(computed.g, inputs)
+        if nu is not None or own != mp.inf:  # none are stated where there are infinitely many
+            yield "nu_eff", relative(exact(nu or 0), own)
+
+
+def results_of(program, project):
+    with tempfile.TemporaryDirectory() as out:
+        subprocess.run([program, "run", project, "--first-order", "--no-studies", "--out", out], capture_output=True, check=False)
+        return json.loads((pathlib.Path(out) / "results.json").read_text())
 
 
 def main(program, projects):
-    worst, count, left_out, bad = {}, {}, [], 0
-    for project in projects:
-        with tempfile.TemporaryDirectory() as out:
-            subprocess.run([program, "run", project, "--first-order", "--no-studies", "--out", out], capture_output=True, check=False)
-            results = json.loads((pathlib.Path(out) / "results.json").read_text())
-        evaluated = Project(project, results)
-        for analysis in results["analyses"]:
-            entry = evaluated.entries[analysis["id"]]
-            name = f"{pathlib.Path(project).name}/{analysis['id']}"
+    found, left_out, bad = {model: [] for model in MODELS}, [], 0
+    for path in projects:
+        project = Project(path, results_of(program, path))
+        for analysis, outputs in project.outputs.items():
+            name = f"{pathlib.Path(path).name}/{analysis}"
             try:
-                defined, inputs = evaluated.of(analysis["id"])
+                defined, inputs = project.of(analysis)
             except NotImplementedError as what:
                 left_out.append(f"{name}: {what}")
                 continue
-            for output in analysis["outputs"]:
-                for figure, difference in differences(output, defined[output["symbol"], output["group"]] if
-                                                      (output["symbol"], output["group"]) in defined else defined[output["symbol"]], inputs):
-                    worst[entry["model"]] = max(worst.get(entry["model"], 0), difference)
-                    count[entry["model"]] = count.get(entry["model"], 0) + 1
-                    if difference > BOUND:
+            for output in outputs:
+                symbol, group = output["symbol"], output["group"]
+                for figure, difference in differences(output, of_group(defined, symbol, group), inputs):
+                    found[project.entries[analysis]["model"]].append(difference)
+                    if not difference <= BOUND:
                         bad += 1
-                        print(f"{name}, {output['symbol']} {output['group']}, {figure}: {mp.nstr(difference, 3)}")
-    for model in MODELS:
-        print(f"{model}: {count.get(model, 0)} figures, largest relative difference {mp.nstr(worst.get(model, mp.nan), 3)}")
-        bad += model not in count
+                        print(f"{name}, {symbol} {group}, {figure}: {mp.nstr(difference, 3)}")
+    for model, all_ in found.items():
+        print(f"{model}: {len(all_)} figures, largest relative difference {mp.nstr(max(all_, default=mp.nan), 3)}")
+        bad += not all_
     print("left out:", *left_out, sep="\n  ")
     return 1 if bad else 0
 

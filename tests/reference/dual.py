@@ -2,11 +2,14 @@
 
 Rules of differentiation are written out, so nothing is shared with the program that is held against this.
 """
+import functools
+
 import mpmath as mp
 
-mp.mp.dps = 40
+mp.mp.dps = 40  # of all modules
 
 
+@functools.total_ordering
 class Dual:
     __slots__ = ("v", "g")
 
@@ -20,11 +23,18 @@ class Dual:
     def chain(self, value, slope):
         return Dual(value, {k: slope * d for k, d in self.g.items()})
 
+    def joined(self, other, value, slope, slope_of_other):
+        """A function of two numbers, from its value and its two partial derivatives."""
+        g = {k: slope * d for k, d in self.g.items()}
+        for k, d in other.g.items():
+            g[k] = g.get(k, 0) + slope_of_other * d
+        return Dual(value, g)
+
     def __add__(self, o):
         o = Dual.of(o)
         g = dict(self.g)
         for k, d in o.g.items():
-            g[k] = g.get(k, 0) + d
+            g[k] = g[k] + d if k in g else d
         return Dual(self.v + o.v, g)
 
     def __neg__(self):
@@ -35,10 +45,7 @@ class Dual:
 
     def __mul__(self, o):
         o = Dual.of(o)
-        g = {k: o.v * d for k, d in self.g.items()}
-        for k, d in o.g.items():
-            g[k] = g.get(k, 0) + self.v * d
-        return Dual(self.v * o.v, g)
+        return self.joined(o, self.v * o.v, o.v, self.v)
 
     def __truediv__(self, o):
         o = Dual.of(o)
@@ -60,43 +67,47 @@ class Dual:
     def __rtruediv__(self, o):
         return Dual.of(o) / self
 
+    def __eq__(self, o):
+        return self.v == Dual.of(o).v
+
     def __lt__(self, o):
         return self.v < Dual.of(o).v
 
-    def __le__(self, o):
-        return self.v <= Dual.of(o).v
 
-    def __gt__(self, o):
-        return self.v > Dual.of(o).v
-
-    def __ge__(self, o):
-        return self.v >= Dual.of(o).v
-
-
-def exp(x):
-    x = Dual.of(x)
-    return x.chain(mp.exp(x.v), mp.exp(x.v))
+def elementary(function, slope):
+    """A function of one number, from the function of its value and the derivative."""
+    def of(x):
+        x = Dual.of(x)
+        return x.chain(function(x.v), slope(x.v))
+    return of
 
 
-def log(x):
-    x = Dual.of(x)
-    return x.chain(mp.log(x.v), 1 / x.v)
+exp = elementary(mp.exp, mp.exp)
+log = elementary(mp.log, lambda v: 1 / v)
+sin = elementary(mp.sin, mp.cos)
+cos = elementary(mp.cos, lambda v: -mp.sin(v))
+tan = elementary(mp.tan, lambda v: 1 / mp.cos(v) ** 2)
+asin = elementary(mp.asin, lambda v: 1 / mp.sqrt(1 - v ** 2))
+acos = elementary(mp.acos, lambda v: -1 / mp.sqrt(1 - v ** 2))
+atan = elementary(mp.atan, lambda v: 1 / (1 + v ** 2))
+sinh = elementary(mp.sinh, mp.cosh)
+cosh = elementary(mp.cosh, mp.sinh)
+tanh = elementary(mp.tanh, lambda v: 1 / mp.cosh(v) ** 2)
 
 
 def sqrt(x):
     x = Dual.of(x)
-    root = mp.sqrt(x.v)
-    return x.chain(root, 1 / (2 * root)) if root else Dual(0, {})
+    return x ** mp.mpf("0.5") if x.v else Dual(0)
 
 
-def sin(x):
-    x = Dual.of(x)
-    return x.chain(mp.sin(x.v), mp.cos(x.v))
+def atan2(y, x):
+    y, x = Dual.of(y), Dual.of(x)
+    r2 = x.v ** 2 + y.v ** 2
+    return y.joined(x, mp.atan2(y.v, x.v), x.v / r2, -y.v / r2)
 
 
-def cos(x):
-    x = Dual.of(x)
-    return x.chain(mp.cos(x.v), -mp.sin(x.v))
+def hypot(*parts):
+    return sqrt(sum((Dual.of(p) * Dual.of(p) for p in parts), Dual(0)))
 
 
 def part(x, of):
@@ -124,47 +135,3 @@ def magnitude(x):
 
 COMPLEX = {"re": re, "im": im, "complex": complex_, "polar": lambda r, phi: complex_(r * cos(phi), r * sin(phi)),
            "conj": lambda z: complex_(re(z), -im(z)), "arg": lambda z: atan2(im(z), re(z)), "abs": magnitude}
-
-
-def tan(x):
-    return sin(x) / cos(x)
-
-
-def atan2(y, x):
-    y, x = Dual.of(y), Dual.of(x)
-    r2 = x.v ** 2 + y.v ** 2
-    g = {k: x.v / r2 * d for k, d in y.g.items()}
-    for k, d in x.g.items():
-        g[k] = g.get(k, 0) - y.v / r2 * d
-    return Dual(mp.atan2(y.v, x.v), g)
-
-
-def atan(x):
-    x = Dual.of(x)
-    return x.chain(mp.atan(x.v), 1 / (1 + x.v ** 2))
-
-
-def asin(x):
-    x = Dual.of(x)
-    return x.chain(mp.asin(x.v), 1 / mp.sqrt(1 - x.v ** 2))
-
-
-def acos(x):
-    x = Dual.of(x)
-    return x.chain(mp.acos(x.v), -1 / mp.sqrt(1 - x.v ** 2))
-
-
-def hypot(*parts):
-    return sqrt(sum((Dual.of(p) * Dual.of(p) for p in parts), Dual(0)))
-
-
-def sinh(x):
-    return (exp(x) - exp(-Dual.of(x))) / 2
-
-
-def cosh(x):
-    return (exp(x) + exp(-Dual.of(x))) / 2
-
-
-def tanh(x):
-    return sinh(x) / cosh(x)

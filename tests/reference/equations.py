@@ -1,130 +1,90 @@
 """The model "measurement equation": typed equations over Python's own parser, inputs from the tables of the set-up."""
+import itertools
 import re
 
 import mpmath as mp
 
 import dual
 from dual import Dual
-from statements import INFINITE, of_distribution, of_statement, quantile_normal, quantile_student
-from units import factor, zero
+from first_order import Inputs
+from linear import scatter
+from statements import of_distribution, of_statement
+from tables import table
+from units import exact, factor, number, quantity, si
 
 FUNCTIONS = {name: getattr(dual, name) for name in
              ("sqrt", "exp", "log", "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "hypot", "sinh", "cosh", "tanh")} | dual.COMPLEX
 FUNCTIONS |= {"ln": dual.log, "pow": lambda a, b: Dual.of(a) ** b, "pi": Dual(mp.pi),
               "if_": lambda condition, yes, no: yes if condition else no, "min": lambda *x: min(map(Dual.of, x)), "max": lambda *x: max(map(Dual.of, x)),
               "log10": lambda x: dual.log(x) / mp.log(10), "log2": lambda x: dual.log(x) / mp.log(2),
-              "cbrt": lambda x: Dual.of(x) ** (mp.mpf(1) / 3), "number": lambda text, unit: Dual(mp.mpf(text) * factor(unit) + zero(unit))}
-
-
-def rows(table):
-    keys = [column.split(" [")[0] for column in table["columns"]]
-    return [dict(zip(keys, row)) for row in table["rows"]]
+              "cbrt": lambda x: Dual.of(x) ** (mp.mpf(1) / 3), "number": lambda text, unit: Dual(si(text, unit))}
 
 
 def python_of(expression):
     """Numbers keep their digits, their unit goes with them; ^ is **."""
-    number = r"((?<![\w.])(?:\d+\.?\d*(?:[eE][+-]?\d+)?|\.\d+)(?:\s*\[[^\]]*\])?)"
-    parts = re.split(number, expression.split("#")[0])
+    literal = r"((?<![\w.])(?:\d+\.?\d*(?:[eE][+-]?\d+)?|\.\d+)(?:\s*\[[^\]]*\])?)"
+    parts = re.split(literal, expression)
     for i, part in enumerate(parts):
         digits, _, unit = part.partition("[")
         parts[i] = f'number("{digits.strip()}", "{unit.rstrip("]") or "1"}")' if i % 2 else part.replace("^", "**")
     return re.sub(r"\bif\(", "if_(", "".join(parts)).strip()
 
 
-class Inputs:
-    """Estimates, components (u, nu) and correlations between components."""
-
-    def __init__(self):
-        self.estimate, self.components, self.correlation = {}, [], {}
-        self.known, self.estimates = set(), {}
-        self.taken, self.origin = set(), {}  # analyses whose results are inputs, and the component there of a component here
-
-    def add(self, symbol, u, nu=INFINITE):
-        self.components.append((symbol, u, nu))
-        return len(self.components) - 1
-
-    def deviation(self, symbol, u, nu=INFINITE, estimate=None):
-        """A deviation about zero as a dual; the same one where it is asked for again. Those of one `estimate` of variance share its nu."""
-        if symbol not in self.known and u != 0:
-            self.known.add(symbol)
-            i = self.add(symbol, u, nu)
-            if estimate is not None:
-                self.estimates[i] = estimate
-        return Dual(0, {symbol: mp.mpf(1)} if u != 0 else {})
-
-    def correlate(self, i, j, r):
-        self.correlation[min(i, j), max(i, j)] = mp.mpf(r)
-
-
-def observations(setup, inputs, of_unit):
-    series, together = {}, {}
-    for row in rows(setup["observations"]):
+def observations(listed, inputs, of_unit):
+    """Means of series, correlated where observations are simultaneous (JCGM 100 5.2.3)."""
+    series, together, index = {}, {}, {}
+    for row in listed:
         if row.get("series"):
             raise NotImplementedError("earlier series")
-        x = mp.mpf(row["value"]) * factor(of_unit[row["quantity"]]) + zero(of_unit[row["quantity"]])
+        x = si(number(row["value"]), of_unit[row["quantity"]])
         series.setdefault(row["quantity"], []).append(x)
-        if row.get("number") is not None:
+        if "number" in row:
             together.setdefault(row["number"], {})[row["quantity"]] = x
-    index = {}
     for symbol, values in series.items():
-        n = len(values)
-        mean = mp.fsum(values) / n
-        inputs.estimate[symbol] = mean
-        index[symbol] = inputs.add(symbol, mp.sqrt(mp.fsum((x - mean) ** 2 for x in values) / (n - 1) / n), mp.mpf(n - 1))
-    names = list(series)
-    for i, a in enumerate(names):  # means of simultaneous observations (JCGM 100 5.2.3)
-        for b in names[i + 1:]:
-            pairs = [(o[a], o[b]) for o in together.values() if a in o and b in o]
-            if len(pairs) > 1:
-                n = len(pairs)
-                covariance = mp.fsum((x - inputs.estimate[a]) * (y - inputs.estimate[b]) for x, y in pairs) / (n - 1) / n
-                inputs.correlate(index[a], index[b], covariance / inputs.components[index[a]][1] / inputs.components[index[b]][1])
+        inputs.estimate[symbol], s = scatter(values)
+        index[symbol] = inputs.add(symbol, s / mp.sqrt(len(values)), mp.mpf(len(values) - 1))
+    for a, b in itertools.combinations(series, 2):
+        pairs = [(o[a] - inputs.estimate[a], o[b] - inputs.estimate[b]) for o in together.values() if a in o and b in o]
+        if len(pairs) > 1:
+            covariance = mp.fsum(x * y for x, y in pairs) / (len(pairs) - 1) / len(pairs)
+            inputs.correlate(index[a], index[b], covariance / inputs.components[index[a]][1] / inputs.components[index[b]][1])
 
 
-def inputs_of(entry):
+def degrees_of_freedom(row):
+    if "r_u" in row:  # relative uncertainty of u (JCGM 100 G.3)
+        return 1 / (2 * row["r_u"] ** 2)
+    if "nu" in row:
+        return exact(row["nu"])
+    return exact(row.get("b", 1)) - 1 if row["statement"] == "standard-deviation" else mp.inf
+
+
+def inputs_of(entry, folder):
     setup, inputs, of_unit = entry["setup"], Inputs(), {}
-    listed = rows(setup.get("quantities", {"columns": [], "rows": []}))
+    listed = table(setup.get("quantities"), folder)
     for row in listed:
-        of_unit.setdefault(row["symbol"], row.get("unit") or "1")
+        of_unit.setdefault(row["symbol"], row.get("unit", "1"))
     for row in listed:
-        symbol, kind, unit = row["symbol"], row.get("statement"), row.get("unit") or of_unit[row["symbol"]]
-        if symbol not in inputs.estimate and row.get("value") is not None:
-            inputs.estimate[symbol] = mp.mpf(repr(row["value"])) * factor(unit) + zero(unit)
+        symbol, kind, unit = row["symbol"], row.get("statement"), row.get("unit", of_unit[row["symbol"]])
+        if "value" in row:
+            inputs.estimate.setdefault(symbol, si(row["value"], unit))
         if kind == "limits":
-            inputs.estimate[symbol] = (mp.mpf(repr(row["a"])) + mp.mpf(repr(row["b"]))) / 2 * factor(unit) + zero(unit)
-        if kind in (None, "", "constant", "observations"):
+            inputs.estimate[symbol] = (si(row["a"], unit) + si(row["b"], unit)) / 2
+        if kind in (None, "constant", "observations"):
             continue
-        if kind in ("pooled", "sample", "histogram", "instrument", "binomial", "poisson", "weibull", "weibull-deviation",
-                    "exponential") or row.get("ensemble"):
-            raise NotImplementedError(kind or "ensemble")
-        of_figures = row.get("stated_unit") or unit
-        in_figures = inputs.estimate.get(symbol, 0) / factor(of_figures)
+        if "ensemble" in row:
+            raise NotImplementedError("ensemble")
+        of_figures = row.get("stated_unit", unit)
+        scale, value = factor(of_figures), inputs.estimate.get(symbol, mp.mpf(0))
         if of_figures in ("%", "ppm") and unit not in ("1", "%", "ppm"):
-            scale, in_figures = abs(inputs.estimate[symbol]) * factor(of_figures), mp.mpf(0)
-        else:
-            scale = factor(of_figures)
-        nu = mp.mpf(repr(row["nu"])) if row.get("nu") is not None else INFINITE
-        if row.get("r_u"):
-            nu = 1 / (2 * (mp.mpf(repr(row["r_u"])) / 100) ** 2)
-        if kind == "standard-deviation" and row.get("nu") is None:
-            nu = mp.mpf(repr(row["b"] or 1)) - 1
-        if kind == "certificate-p":
-            p = (1 + mp.mpf(repr(row["b"])) / 100) / 2
-            k = quantile_normal(p) if nu == INFINITE else quantile_student(p, nu)
-            u = mp.mpf(repr(row["a"])) / k
-        else:
-            u = of_statement(kind, row.get("a"), row.get("b"), in_figures)
-        inputs.add(symbol, u * scale, nu)
-    if "observations" in setup:
-        observations(setup, inputs, of_unit)
+            scale, value = abs(value) * scale, mp.mpf(0)
+        nu = degrees_of_freedom(row)
+        inputs.add(symbol, of_statement(row, nu, value / factor(of_figures)) * scale, nu)
+    observations(table(setup.get("observations"), folder), inputs, of_unit)
     for pair in entry.get("correlations", []):
-        at = {}
-        for i, (symbol, _, _) in enumerate(inputs.components):
-            at.setdefault(symbol, []).append(i)
-        first, second = at[pair["first"].split(".")[0]], at[pair["second"].split(".")[0]]
+        first, second = (inputs.of_symbol(pair[end].split(".")[0]) for end in ("first", "second"))
         if len(first) > 1 or len(second) > 1:
             raise NotImplementedError("a correlation of several components")
-        inputs.correlate(first[0], second[0], repr(pair["coefficient"]))
+        inputs.correlate(first[0], second[0], exact(pair["coefficient"]))
     return inputs
 
 
@@ -156,35 +116,29 @@ def solved(line, names):
 def edited(entry, inputs):
     """Edits of input quantities: another estimate, components in the place of the own ones, none at all."""
     for edit in entry.get("inputs", []):
-        symbol, given = edit["symbol"], edit.get("estimate")
+        symbol = edit["symbol"]
         if edit.get("held") or "components" in edit:
             inputs.components = [(None, u, nu) if s == symbol else (s, u, nu) for s, u, nu in inputs.components]
         for component in edit.get("components", []):
-            u, mean = of_distribution(component["distribution"], {k: mp.mpf(repr(v)) for k, v in component["parameters"].items()})
+            u, mean = of_distribution(component["distribution"], {k: exact(v) for k, v in component["parameters"].items()})
             inputs.estimate[symbol] += mean * factor(component["unit"])
-            inputs.add(symbol, u * factor(component["unit"]), mp.mpf(component.get("degreesOfFreedom", "inf")))
-        if given:  # the expectation of the whole, so also where components have a mean
-            inputs.estimate[symbol] = mp.mpf(repr(given["value"])) * factor(given["unit"]) + zero(given["unit"])
+            inputs.add(symbol, u * factor(component["unit"]), exact(component.get("degreesOfFreedom", "inf")))
+        if edit.get("estimate"):  # the expectation of the whole, so also where components have a mean
+            inputs.estimate[symbol] = quantity(edit, "estimate")
         if edit.get("combination") == "arithmetic":
-            own = [i for i, (s, _, _) in enumerate(inputs.components) if s == symbol]
-            for i in own:
-                for j in own:
-                    if i < j:
-                        inputs.correlate(i, j, 1)
+            for i, j in itertools.combinations(inputs.of_symbol(symbol), 2):
+                inputs.correlate(i, j, 1)
 
 
-def evaluate(entry, linked=lambda inputs: {}):
-    """symbol -> (estimate, Dual over the inputs) of everything that an equation defines, and the inputs."""
-    inputs = inputs_of(entry)
+def evaluate(entry, project):
+    """Everything that an equation defines, as duals over the inputs."""
+    inputs = inputs_of(entry, project.folder)
     edited(entry, inputs)
-    names = dict(FUNCTIONS)
-    names |= {s: Dual(v, {s: mp.mpf(1)}) for s, v in inputs.estimate.items()}
-    names |= linked(inputs)
-    defined = {}
+    names, defined = FUNCTIONS | {s: Dual(v, {s: mp.mpf(1)}) for s, v in inputs.estimate.items()} | project.linked(entry, inputs), {}
     equations = entry["setup"]["equations"]
     lines = equations if isinstance(equations, list) else equations.split("\n")
     pending = [part for line in lines for part in line.split("#")[0].split(";") if part.strip()]
-    for _ in range(len(pending) + 1):
+    while pending:
         later = []
         for line in pending:
             try:
@@ -198,9 +152,9 @@ def evaluate(entry, linked=lambda inputs: {}):
                 continue
             names |= found
             defined |= found
+        if len(later) == len(pending):
+            raise NotImplementedError("an estimate that the table does not state")
         pending = later
-    if pending:
-        raise NotImplementedError("an estimate that the table does not state")
     for symbol, z in list(defined.items()):
         if isinstance(z.v, mp.mpc):
             defined |= {symbol + "_re": dual.re(z), symbol + "_im": dual.im(z)}

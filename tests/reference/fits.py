@@ -2,21 +2,10 @@
 derivatives of the solution, -(dG/dp)^-1 dG/dx, both by central differences (error about 1e-26). The results of the program are where it begins."""
 import mpmath as mp
 
-from dual import Dual, cos, sin
-from poses import cross, dot, minus, plus, unit
+from dual import Dual, cos, hypot, sin
+from vectors import NORMAL, across, cross, dot, minus, plus, scaled, unit, values, without
 
 STEP = mp.mpf("1e-13")
-
-
-def across(n):
-    """Two directions that complete n to a frame."""
-    e = [Dual(int(i == min(range(3), key=lambda j: abs(n[j].v)))) for i in range(3)]
-    a = unit(cross(n, e))
-    return a, cross(n, a)
-
-
-def scaled(a, factor):
-    return [x * factor for x in a]
 
 
 class Form:
@@ -26,22 +15,17 @@ class Form:
 
     def __init__(self, kind, start):
         self.kind, self.names = kind, self.PARAMETERS[kind]
-        self.n_0 = unit([Dual(start.get("n_" + axis, int(axis == "z"))) for axis in "xyz"])
+        self.n_0 = unit([Dual(start.get(n, int(n == "n_z"))) for n in NORMAL])
         self.e = across(self.n_0)
 
     def placed(self, p):
         """(direction, point of the axis or centre, radius, half angle) of parameters p, a list of mean and names."""
-        mean, q = p[:3], dict(zip(self.names, p[3:]))
-        n = unit(plus(plus(self.n_0, scaled(self.e[0], q["a"])), scaled(self.e[1], q["b"]))) if "a" in q else self.n_0
+        q = dict.fromkeys("abuvw", 0) | dict(zip(self.names, p[3:]))
+        n, f = unit(plus(self.n_0, scaled(self.e[0], q["a"]), scaled(self.e[1], q["b"]))), self.e
         if self.kind == "circle":
-            f = unit(minus(self.e[0], scaled(n, dot(n, self.e[0]))))
-            f = f, cross(n, f)
-        else:
-            f = self.e
-        c = plus(plus(mean, scaled(f[0], q["u"])), scaled(f[1], q["v"])) if "u" in q else mean
-        if "w" in q:
-            c = plus(c, scaled(self.n_0, q["w"]))
-        return n, c, q.get("r"), q.get("t")
+            x = unit(without(self.e[0], n))
+            f = x, cross(n, x)
+        return n, plus(p[:3], scaled(f[0], q["u"]), scaled(f[1], q["v"]), scaled(self.n_0, q["w"])), q.get("r"), q.get("t")
 
     def residuals(self, p, x):
         """[(parameters that they decide, deviations)]"""
@@ -49,24 +33,20 @@ class Form:
         d = minus(x, c)
         if self.kind == "point":
             return [("", d)]
-        if self.kind in ("plane", "circle"):
-            found = [("ab", [dot(n, d)])]
+        along, radial = dot(n, d), d if self.kind == "sphere" else without(d, n)
         if self.kind == "plane":
-            return found
-        radial = d if self.kind == "sphere" else minus(d, scaled(n, dot(n, d)))
+            return [("ab", [along])]
         if self.kind == "line":
             return [("ab", radial)]
-        rho = dot(radial, radial) ** mp.mpf("0.5")
+        gap = hypot(*radial) - r
         if self.kind == "circle":
-            return found + [("uvr", [rho - r])]
-        if self.kind == "cone":
-            return [(self.names, [(rho - r) * cos(t) - dot(n, d) * sin(t)])]
-        return [(self.names, [rho - r])]
+            return [("ab", [along]), ("uvr", [gap])]
+        return [(self.names, [gap * cos(t) - along * sin(t) if self.kind == "cone" else gap])]
 
-    def gradient(self, p, x, count):
+    def gradient(self, p, x):
         """This point's part of G: of the mean x - m, of the others the derivative of half the sum of squares."""
         seeded = [Dual(value, {i: mp.mpf(1)}) for i, value in enumerate(p)]
-        g = [x[i] - p[i] for i in range(3)] + [mp.mpf(0)] * len(self.names)
+        g = minus(x, p[:3]) + [mp.mpf(0)] * len(self.names)
         for names, deviations in self.residuals(seeded, [Dual(value) for value in x]):
             for name in names:
                 k = 3 + self.names.index(name)
@@ -74,32 +54,29 @@ class Form:
         return mp.matrix(g)
 
 
-def central(function, values, i):
-    higher, lower = list(values), list(values)
-    higher[i], lower[i] = values[i] + STEP, values[i] - STEP
+def central(function, at, i):
+    higher, lower = list(at), list(at)
+    higher[i], lower[i] = at[i] + STEP, at[i] - STEP
     return (function(higher) - function(lower)) / (2 * STEP)
 
 
 def fitted(kind, start, points):
     """(form, parameters as duals) of points that are duals."""
-    form, x, count = Form(kind, start), [[c.v for c in point] for point in points], len(points)
-    p = [mp.fsum(point[i] for point in x) / count for i in range(3)]
-    centre = [Dual(start[axis]) for axis in "xyz"]
-    shift = minus(centre, [Dual(value) for value in p])
-    begin = {"a": 0, "b": 0, "u": dot(form.e[0], shift).v, "v": dot(form.e[1], shift).v, "w": dot(form.n_0, shift).v, "r": start.get("d", 0) / 2,
-             "t": start.get("alpha", 0) / 2}
-    p += [mp.mpf(begin[name]) for name in form.names]
-    total = lambda q: sum((form.gradient(q, point, count) for point in x), mp.zeros(len(p), 1))
-    jacobian = lambda: mp.matrix([[column[k] for column in columns] for k in range(len(p))]) if (
-        columns := [central(total, p, i) for i in range(len(p))]) else None
-    inverse = jacobian() ** -1
+    form, x = Form(kind, start), [values(point) for point in points]
+    centre = [mp.fsum(c) / len(x) for c in zip(*x)]
+    shift = minus([start[axis] for axis in "xyz"], centre)
+    begin = {"a": 0, "b": 0, "r": start.get("d", 0) / 2, "t": start.get("alpha", 0) / 2}
+    begin |= {name: dot(e, shift).v for name, e in zip("uvw", (*form.e, form.n_0))}
+    p = centre + [mp.mpf(begin[name]) for name in form.names]
+    total = lambda q: sum((form.gradient(q, point) for point in x), mp.zeros(len(p), 1))
+    inverse_slopes = lambda: mp.matrix([list(central(total, p, i)) for i in range(len(p))]).T ** -1
+    inverse = inverse_slopes()
     for _ in range(3):
-        p = [value - step for value, step in zip(p, inverse * total(p))]
-    inverse = jacobian() ** -1
-    found = [Dual(value) for value in p]
+        p = minus(p, inverse * total(p))
+    inverse = inverse_slopes()
+    found = p
     for point, at in zip(points, x):
         for i in range(3):
-            slopes = -inverse * central(lambda q: form.gradient(p, q, count), at, i)
-            deviation = Dual(0, point[i].g)
-            found = [value + deviation * slope for value, slope in zip(found, slopes)]
+            slopes = inverse * central(lambda q: form.gradient(p, q), at, i)
+            found = minus(found, scaled(slopes, Dual(0, point[i].g)))
     return form, found

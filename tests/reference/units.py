@@ -62,6 +62,20 @@ def zero(text):
     return mp.mpf("273.15") if text in ("degC", "°C") else mp.mpf(0)
 
 
+def exact(value):
+    """The number as it is typed, with all its digits."""
+    return mp.mpf(repr(value) if isinstance(value, float) else value)
+
+
 def number(value):
     """The number in a cell, as a program reads it."""
     return mp.mpf(float(value))
+
+
+def si(value, unit):
+    return exact(value) * factor(unit) + zero(unit)
+
+
+def quantity(setup, key, default=0):
+    """The quantity that a set-up states under this key, in SI units."""
+    return si(setup[key]["value"], setup[key]["unit"]) if setup.get(key) else exact(default)
