@@ -14,7 +14,7 @@ function(covaria_translations target)
         list(GET parts 0 code)
         list(GET parts 2 of_qt)
         set(compiled ${made}/covaria_${code}.qm)
-        add_custom_command(OUTPUT ${compiled} COMMAND Qt6::lrelease -silent ${folder}/covaria_${code}.ts -qm ${compiled}
+        add_custom_command(OUTPUT ${compiled} COMMAND Qt6::lrelease -silent -nounfinished ${folder}/covaria_${code}.ts -qm ${compiled}
             DEPENDS ${folder}/covaria_${code}.ts VERBATIM)
         list(APPEND catalogues ${compiled})
         string(APPEND entries "<file alias=\"covaria_${code}.qm\">${compiled}</file>\n")

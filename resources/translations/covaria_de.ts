@@ -16878,7 +16878,7 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     </message>
     <message>
         <source>column &apos;%1&apos; of &apos;%2&apos; is %3; its unit is missing: write &quot;%4 [%5]&quot;</source>
-        <translation type="unfinished">Spalte &apos;%1&apos; von &apos;%2&apos; ist %3; die Einheit fehlt: &quot;%1 [%4]&quot; schreiben {1&apos;?} {2&apos;?} {3;?} {4 ?} {5]?}</translation>
+        <translation>Spalte &apos;%1&apos; von &apos;%2&apos; ist %3; die Einheit fehlt: &quot;%4 [%5]&quot; schreiben</translation>
     </message>
     <message>
         <source>column &apos;%1&apos; of &apos;%2&apos; is a difference of temperatures: give it in %3, not in %4</source>
@@ -17586,491 +17586,547 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     </message>
     <message>
         <source>deviation of the barycentre of %1, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Abweichung des Schwerpunkts von %1, %2</translation>
     </message>
     <message>
         <source>x in a frame</source>
-        <translation type="unfinished"></translation>
+        <translation>x in einem System</translation>
     </message>
     <message>
         <source>y in a frame</source>
-        <translation type="unfinished"></translation>
+        <translation>y in einem System</translation>
     </message>
     <message>
         <source>z in a frame</source>
-        <translation type="unfinished"></translation>
+        <translation>z in einem System</translation>
     </message>
     <message>
         <source>frame</source>
-        <translation type="unfinished"></translation>
+        <translation>System</translation>
     </message>
     <message>
         <source>Of a coordinate in a frame: the name of the frame, whose pose the readings tell: that of an arm, a scanner, a photogrammetric network.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bei einer Koordinate in einem System: der Name des Systems, dessen Pose die Ablesungen sagen: das eines Arms, eines Scanners, eines photogrammetrischen Netzes.</translation>
     </message>
     <message>
         <source>Frames, planes and lines</source>
-        <translation type="unfinished"></translation>
+        <translation>Systeme, Ebenen und Geraden</translation>
     </message>
     <message>
         <source>Frames that readings name, where more is known of them than that their pose is unknown, and planes and lines on which points are.</source>
-        <translation type="unfinished"></translation>
+        <translation>Systeme, die Ablesungen nennen, wenn über sie mehr bekannt ist, als dass ihre Pose unbekannt ist, sowie Ebenen und Geraden, auf denen Punkte liegen.</translation>
     </message>
     <message>
         <source>Name of the frame, as in the column of the readings.</source>
-        <translation type="unfinished"></translation>
+        <translation>Name des Systems, wie in der Spalte der Ablesungen.</translation>
     </message>
     <message>
         <source>An own frame with all of its axes; or a plane, from which points are as far as their z in it says; or a line along its x-axis, from which their y and z say how far they are.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein eigenes System mit allen seinen Achsen; oder eine Ebene, von der Punkte so weit entfernt sind, wie ihr z darin sagt; oder eine Gerade längs ihrer x-Achse, von der ihr y und z sagen, wie weit sie entfernt sind.</translation>
     </message>
     <message>
         <source>own frame</source>
-        <translation type="unfinished"></translation>
+        <translation>eigenes System</translation>
     </message>
     <message>
         <source>Scale of an own frame: fixed; unknown, so that the readings tell it; stated with u.</source>
-        <translation type="unfinished"></translation>
+        <translation>Maßstab eines eigenen Systems: fest; unbekannt, so dass die Ablesungen ihn sagen; angegeben mit u.</translation>
     </message>
     <message>
         <source>scale beyond 1</source>
-        <translation type="unfinished"></translation>
+        <translation>Maßstab über 1 hinaus</translation>
     </message>
     <message>
         <source>By how much coordinates in the frame are too long; 0 where it is empty.</source>
-        <translation type="unfinished"></translation>
+        <translation>Um wie viel Koordinaten in dem System zu lang sind; 0, wenn leer.</translation>
     </message>
     <message>
         <source>u of scale</source>
-        <translation type="unfinished"></translation>
+        <translation>u des Maßstabs</translation>
     </message>
     <message>
         <source>Standard uncertainty of a stated scale.</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheit eines angegebenen Maßstabs.</translation>
     </message>
     <message>
         <source>Of an own frame whose z-axis is vertical: within that standard uncertainty about x and about y; empty: nothing is known of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bei einem eigenen System, dessen z-Achse lotrecht ist: innerhalb dieser Standardunsicherheit um x und um y; leer: nichts ist darüber bekannt.</translation>
     </message>
     <message>
         <source>two frames are called %1</source>
-        <translation type="unfinished"></translation>
+        <translation>zwei Systeme heißen %1</translation>
     </message>
     <message>
         <source>%1 has no scale and no tilt to state</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 hat keinen Maßstab und keine Neigung, die anzugeben wären</translation>
     </message>
     <message>
         <source>%1: the u of its stated scale is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: das u des angegebenen Maßstabs fehlt</translation>
     </message>
     <message>
         <source>there is no reading in %1</source>
-        <translation type="unfinished"></translation>
+        <translation>es gibt keine Ablesung in %1</translation>
     </message>
     <message>
         <source>%1 has points without heights</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 hat Punkte ohne Höhe</translation>
     </message>
     <message>
         <source>a coordinate of %1 in a frame: the name of the frame is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Koordinate von %1 in einem System: der Name des Systems fehlt</translation>
     </message>
     <message>
         <source>%1 has no such coordinate of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 hat keine solche Koordinate von %2</translation>
     </message>
     <message>
         <source>a coordinate in %1 needs x and y of %2, which are not part of the network</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Koordinate in %1 braucht x und y von %2, die nicht Teil des Netzes sind</translation>
     </message>
     <message>
         <source>nothing tells how %1 lies: read more points in it whose places other readings tell, not all on a line</source>
-        <translation type="unfinished"></translation>
+        <translation>nichts sagt, wie %1 liegt: darin mehr Punkte ablesen, deren Orte andere Ablesungen sagen, nicht alle auf einer Geraden</translation>
     </message>
     <message>
         <source>%1, there and back</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, hin und zurück</translation>
     </message>
     <message>
         <source>%1, again</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, erneut</translation>
     </message>
     <message>
         <source>angle at %1 from %2 to %3, in two rounds</source>
-        <translation type="unfinished"></translation>
+        <translation>Winkel in %1 von %2 nach %3, in zwei Sätzen</translation>
     </message>
     <message>
         <source>loop of differences of x, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Schleife von x-Differenzen, %1</translation>
     </message>
     <message>
         <source>loop of differences of y, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Schleife von y-Differenzen, %1</translation>
     </message>
     <message>
         <source>loop of height differences, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Schleife von Höhenunterschieden, %1</translation>
     </message>
     <message>
         <source>before the adjustment: %1 closes with %2 %3, %4 times its u</source>
-        <translation type="unfinished"></translation>
+        <translation>vor der Ausgleichung: %1 schließt mit %2 %3, %4 mal das eigene u</translation>
     </message>
     <message>
         <source>and %1 more closures are beyond 3.29 times their u</source>
-        <translation type="unfinished"></translation>
+        <translation>und %1 weitere Abschlüsse liegen über dem 3.29-Fachen ihres u</translation>
     </message>
     <message>
         <source>Closures before the adjustment</source>
-        <translation type="unfinished"></translation>
+        <translation>Abschlüsse vor der Ausgleichung</translation>
     </message>
     <message>
         <source>Closure</source>
-        <translation type="unfinished"></translation>
+        <translation>Abschluss</translation>
     </message>
     <message>
         <source>misclosure</source>
-        <translation type="unfinished"></translation>
+        <translation>Abschlussfehler</translation>
     </message>
     <message>
         <source>u of the misclosure</source>
-        <translation type="unfinished"></translation>
+        <translation>u des Abschlussfehlers</translation>
     </message>
     <message>
         <source>misclosure over u</source>
-        <translation type="unfinished"></translation>
+        <translation>Abschlussfehler durch u</translation>
     </message>
     <message>
         <source>too large?</source>
-        <translation type="unfinished"></translation>
+        <translation>zu groß?</translation>
     </message>
     <message>
         <source>%1 closures are beyond 3.29 times their u (0.1 %).</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Abschlüsse liegen über dem 3.29-Fachen ihres u (0.1 %).</translation>
     </message>
     <message>
         <source>coordinates in frames</source>
-        <translation type="unfinished"></translation>
+        <translation>Koordinaten in Systemen</translation>
     </message>
     <message>
         <source>frame %1</source>
-        <translation type="unfinished"></translation>
+        <translation>System %1</translation>
     </message>
     <message>
         <source>plane %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Ebene %1</translation>
     </message>
     <message>
         <source>line %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Gerade %1</translation>
     </message>
     <message>
         <source>station %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Standpunkt %1</translation>
     </message>
     <message>
         <source>target %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Zielpunkt %1</translation>
     </message>
     <message>
         <source>directions at %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Richtungen auf %1</translation>
     </message>
     <message>
         <source>directions at %1, round %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Richtungen auf %1, Satz %2</translation>
     </message>
     <message>
         <source>Groups of readings</source>
-        <translation type="unfinished"></translation>
+        <translation>Gruppen von Ablesungen</translation>
     </message>
     <message>
         <source>controlled</source>
-        <translation type="unfinished"></translation>
+        <translation>kontrolliert</translation>
     </message>
     <message>
         <source>sum of squares falls by</source>
-        <translation type="unfinished"></translation>
+        <translation>Quadratsumme fällt um</translation>
     </message>
     <message>
         <source>contradicts the others?</source>
-        <translation type="unfinished"></translation>
+        <translation>Widerspruch zu den anderen?</translation>
     </message>
     <message>
         <source>Without the group the sum of squares falls by as much, which is a chi-square of as many degrees of freedom as of its readings the others control; p is its probability.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ohne die Gruppe fällt die Quadratsumme um so viel; das ist ein Chi-Quadrat mit so vielen Freiheitsgraden, wie die anderen von ihren Ablesungen kontrollieren; p ist seine Wahrscheinlichkeit.</translation>
     </message>
     <message>
         <source>%1 groups have p &lt; 0.1 %; where several do, look at the first.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Gruppen haben p &lt; 0.1 %; bei mehreren zuerst die erste ansehen.</translation>
     </message>
     <message>
         <source>%1, origin along %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, Ursprung längs %2</translation>
     </message>
     <message>
         <source>%1, offset along its %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, Versatz längs der eigenen Achse %2</translation>
     </message>
     <message>
         <source>%1, tilt about its %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, Neigung um die eigene Achse %2</translation>
     </message>
     <message>
         <source>%1, turn about %2 after a right angle about y</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, Drehung um %2 nach einem rechten Winkel um y</translation>
     </message>
     <message>
         <source>%1, turn about %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, Drehung um %2</translation>
     </message>
     <message>
         <source>tilt of %1 about %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Neigung von %1 um %2</translation>
     </message>
     <message>
         <source>%1 of %2 in %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 von %2 in %3</translation>
     </message>
     <message>
         <source>frames</source>
-        <translation type="unfinished"></translation>
+        <translation>Systeme</translation>
     </message>
     <message>
         <source>it must be the SHA-256 of the file: 64 hexadecimal digits</source>
-        <translation type="unfinished"></translation>
+        <translation>es muss der SHA-256 der Datei sein: 64 Hexadezimalziffern</translation>
     </message>
     <message>
         <source>its figures would have been valid only before the calibration</source>
-        <translation type="unfinished"></translation>
+        <translation>seine Angaben hätten nur vor der Kalibrierung gegolten</translation>
     </message>
     <message>
         <source>the symbol of a quantity or the key of a field is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>das Symbol einer Größe oder der Schlüssel eines Feldes fehlt</translation>
     </message>
     <message>
         <source>a range needs its lowest or its highest value</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Bereich braucht seinen kleinsten oder seinen größten Wert</translation>
     </message>
     <message>
         <source>its unit does not fit that of the lowest value</source>
-        <translation type="unfinished"></translation>
+        <translation>seine Einheit passt nicht zu der des kleinsten Werts</translation>
     </message>
     <message>
         <source>it is below the lowest value</source>
-        <translation type="unfinished"></translation>
+        <translation>er liegt unter dem kleinsten Wert</translation>
     </message>
     <message>
         <source>%1 %2</source>
-        <translation type="unfinished">%1. %2 %3 {1 %2?}</translation>
+        <translation>%1 %2</translation>
     </message>
     <message>
         <source>%1 %2 of %3</source>
-        <translation type="unfinished">%1 von %3 {1 %2 ?}</translation>
+        <translation>%1 %2 von %3</translation>
     </message>
     <message>
         <source>nothing says which certificate it is: its number is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>nichts sagt, welcher Kalibrierschein es ist: seine Nummer fehlt</translation>
     </message>
     <message>
         <source>a range of a certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Bereich eines Kalibrierscheins</translation>
     </message>
     <message>
         <source>a certificate of figures</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Kalibrierschein zu Angaben</translation>
     </message>
     <message>
         <source>its figures hold for %1 of %2, and here it is %3</source>
-        <translation type="unfinished"></translation>
+        <translation>seine Angaben gelten für %1 im Bereich %2, und hier ist es %3</translation>
     </message>
     <message>
         <source>its figures hold for %1 of %2, and nothing here is called so</source>
-        <translation type="unfinished"></translation>
+        <translation>seine Angaben gelten für %1 im Bereich %2, und hier heißt nichts so</translation>
     </message>
     <message>
         <source>applicable</source>
-        <translation type="unfinished"></translation>
+        <translation>anwendbar</translation>
     </message>
     <message>
         <source>not known</source>
-        <translation type="unfinished"></translation>
+        <translation>nicht bekannt</translation>
     </message>
     <message>
         <source>outside what it holds for</source>
-        <translation type="unfinished"></translation>
+        <translation>außerhalb dessen, wofür er gilt</translation>
     </message>
     <message>
         <source>expired</source>
-        <translation type="unfinished"></translation>
+        <translation>abgelaufen</translation>
     </message>
     <message>
         <source>until when it is valid is not stated</source>
-        <translation type="unfinished"></translation>
+        <translation>bis wann er gilt, ist nicht angegeben</translation>
     </message>
     <message>
         <source>the date of the measurement is not stated</source>
-        <translation type="unfinished"></translation>
+        <translation>das Datum der Messung ist nicht angegeben</translation>
     </message>
     <message>
         <source>it is of %1, and the measurement of %2 before it</source>
-        <translation type="unfinished"></translation>
+        <translation>er ist vom %1, und die Messung vom %2 liegt davor</translation>
     </message>
     <message>
         <source>it was valid until %1, and the measurement is of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>er war bis %1 gültig, und die Messung ist vom %2</translation>
     </message>
     <message>
         <source>%1; %2</source>
-        <translation type="unfinished">%1: %2 {1;?}</translation>
+        <translation>%1; %2</translation>
     </message>
     <message>
         <source>%1: %2: %3</source>
-        <translation type="unfinished">%1, %2: %3 {1:?} {2:?}</translation>
+        <translation>%1: %2: %3</translation>
     </message>
     <message>
         <source>Certificates of the figures</source>
-        <translation type="unfinished"></translation>
+        <translation>Kalibrierscheine der Angaben</translation>
     </message>
     <message>
         <source>Figures of</source>
-        <translation type="unfinished"></translation>
+        <translation>Angaben zu</translation>
     </message>
     <message>
         <source>Calibrated</source>
-        <translation type="unfinished"></translation>
+        <translation>Kalibriert</translation>
     </message>
     <message>
         <source>Valid until</source>
-        <translation type="unfinished"></translation>
+        <translation>Gültig bis</translation>
     </message>
     <message>
         <source>%1: %2.</source>
-        <translation type="unfinished">%1: %2. {1:?}</translation>
+        <translation>%1: %2.</translation>
     </message>
     <message>
         <source>Of %1 artefacts and instruments %2 have no certificate; their figures are assumed: %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>Von %1 Prüfkörpern und Messgeräten haben %2 keinen Kalibrierschein; ihre Angaben sind angenommen: %3.</translation>
     </message>
     <message>
         <source>it is no project</source>
-        <translation type="unfinished"></translation>
+        <translation>es ist kein Projekt</translation>
     </message>
     <message>
         <source>it has errors</source>
-        <translation type="unfinished"></translation>
+        <translation>es hat Fehler</translation>
     </message>
     <message>
         <source>%1, with the old figures: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, mit den alten Angaben: %2</translation>
     </message>
     <message>
         <source>%1, with the new figures: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, mit den neuen Angaben: %2</translation>
     </message>
     <message>
         <source>%1: with the new figures there is no %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: mit den neuen Angaben gibt es kein %2</translation>
     </message>
     <message>
         <source>there is no folder or file %1</source>
-        <translation type="unfinished"></translation>
+        <translation>es gibt keinen Ordner und keine Datei %1</translation>
     </message>
     <message>
         <source>the folder %1 cannot be read: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>der Ordner %1 kann nicht gelesen werden: %2</translation>
     </message>
     <message>
         <source>Results that change, the largest change first</source>
-        <translation type="unfinished"></translation>
+        <translation>Ergebnisse, die sich ändern, die größte Änderung zuerst</translation>
     </message>
     <message>
         <source>File</source>
-        <translation type="unfinished"></translation>
+        <translation>Datei</translation>
     </message>
     <message>
         <source>Change in U</source>
-        <translation type="unfinished"></translation>
+        <translation>Änderung in U</translation>
     </message>
     <message>
         <source>Verdict before</source>
-        <translation type="unfinished"></translation>
+        <translation>Urteil vorher</translation>
     </message>
     <message>
         <source>Verdict after</source>
-        <translation type="unfinished"></translation>
+        <translation>Urteil nachher</translation>
     </message>
     <message>
         <source>%1 projects and reports were looked at; %2 use the figures.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Projekte und Berichte wurden durchgesehen; %2 verwenden die Angaben.</translation>
     </message>
     <message>
         <source>Of %1 results %2 change, %3 of them in what is stated; %4 verdicts change.</source>
-        <translation type="unfinished"></translation>
+        <translation>Von %1 Ergebnissen ändern sich %2, davon %3 in dem, was angegeben ist; %4 Urteile ändern sich.</translation>
     </message>
     <message>
         <source>%1 could not be evaluated.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 konnten nicht ausgewertet werden.</translation>
     </message>
     <message>
         <source>Impact of new figures</source>
-        <translation type="unfinished"></translation>
+        <translation>Auswirkung neuer Angaben</translation>
     </message>
     <message>
         <source>Results that rest on a certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>Ergebnisse, die auf einem Kalibrierschein beruhen</translation>
     </message>
     <message>
         <source>Replaced</source>
-        <translation type="unfinished"></translation>
+        <translation>Ersetzt</translation>
     </message>
     <message>
         <source>By</source>
-        <translation type="unfinished"></translation>
+        <translation>Durch</translation>
     </message>
     <message>
         <source>Looked for in</source>
-        <translation type="unfinished"></translation>
+        <translation>Gesucht in</translation>
     </message>
     <message>
         <source>The change of the value is given in units of the expanded uncertainty that was stated.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Änderung des Werts ist in Einheiten der zuvor angegebenen erweiterten Unsicherheit ausgedrückt.</translation>
     </message>
     <message>
         <source>Documents to amend</source>
-        <translation type="unfinished"></translation>
+        <translation>Zu ändernde Dokumente</translation>
     </message>
     <message>
         <source>Not evaluated</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht ausgewertet</translation>
     </message>
     <message>
         <source>the tables of quantities have other units</source>
-        <translation type="unfinished"></translation>
+        <translation>die Tabellen der Größen haben andere Einheiten</translation>
     </message>
     <message>
         <source>the new figures say nothing of the quantity %1</source>
-        <translation type="unfinished"></translation>
+        <translation>die neuen Angaben sagen nichts über die Größe %1</translation>
     </message>
     <message>
         <source>none of the quantities of the certificate is stated</source>
-        <translation type="unfinished"></translation>
+        <translation>keine der Größen des Kalibrierscheins ist angegeben</translation>
     </message>
     <message>
         <source>%1 states no quantities in a table</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 gibt keine Größen in einer Tabelle an</translation>
     </message>
     <message>
         <source>%1 has nothing with the id %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 hat nichts mit der Kennung %2</translation>
     </message>
     <message>
         <source>%1 has no new figures for %2: nothing in it is of the same kind</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 hat keine neuen Angaben für %2: nichts darin ist von gleicher Art</translation>
     </message>
     <message>
         <source>%1 has several figures that %2 could have: name the one behind &apos;#&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 hat mehrere Angaben, die %2 haben könnte: die gemeinte hinter &apos;#&apos; nennen</translation>
+    </message>
+    <message>
+        <source>As it stands on the certificate.</source>
+        <translation>Wie sie auf dem Kalibrierschein steht.</translation>
+    </message>
+    <message>
+        <source>Edition</source>
+        <translation>Ausgabe</translation>
+    </message>
+    <message>
+        <source>Of an amended certificate or a data sheet.</source>
+        <translation>Eines geänderten Kalibrierscheins oder eines Datenblatts.</translation>
+    </message>
+    <message>
+        <source>Issuer</source>
+        <translation>Aussteller</translation>
+    </message>
+    <message>
+        <source>Laboratory, manufacturer.</source>
+        <translation>Laboratorium, Hersteller.</translation>
+    </message>
+    <message>
+        <source>The last day on which the figures may be used, by your own rule.</source>
+        <translation>Der letzte Tag, an dem die Angaben verwendet werden dürfen, nach eigener Regel.</translation>
+    </message>
+    <message>
+        <source>Conditions</source>
+        <translation>Bedingungen</translation>
+    </message>
+    <message>
+        <source>What the figures hold for, in words: mode, filter, support.</source>
+        <translation>Wofür die Angaben gelten, in Worten: Modus, Filter, Auflagerung.</translation>
+    </message>
+    <message>
+        <source>Its name.</source>
+        <translation>Ihr Name.</translation>
+    </message>
+    <message>
+        <source>Digest</source>
+        <translation>Hashwert</translation>
+    </message>
+    <message>
+        <source>SHA-256 of the file, 64 hexadecimal digits.</source>
+        <translation>SHA-256 der Datei, 64 Hexadezimalziffern.</translation>
+    </message>
+    <message>
+        <source>certificate</source>
+        <translation>Kalibrierschein</translation>
+    </message>
+    <message>
+        <source>report</source>
+        <translation>Bericht</translation>
+    </message>
+    <message>
+        <source>data sheet</source>
+        <translation>Datenblatt</translation>
     </message>
 </context>
 <context>
@@ -18591,11 +18647,11 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     </message>
     <message>
         <source>distr.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vert.</translation>
     </message>
     <message>
         <source>Distribution that Monte Carlo draws</source>
-        <translation type="unfinished"></translation>
+        <translation>Verteilung, aus der Monte Carlo zieht</translation>
     </message>
 </context>
 <context>
@@ -18786,11 +18842,11 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     <name>covaria::ui::BudgetFootModel</name>
     <message>
         <source>Out of date: being computed.</source>
-        <translation type="unfinished">Veraltet: wird berechnet.</translation>
+        <translation>Veraltet: wird berechnet.</translation>
     </message>
     <message>
         <source>Combined standard uncertainty by the law of propagation</source>
-        <translation type="unfinished"></translation>
+        <translation>Kombinierte Standardunsicherheit nach dem Fortpflanzungsgesetz</translation>
     </message>
 </context>
 <context>
@@ -18809,7 +18865,7 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     </message>
     <message>
         <source>Result of the budget</source>
-        <translation type="unfinished"></translation>
+        <translation>Ergebnis des Budgets</translation>
     </message>
 </context>
 <context>
@@ -18836,7 +18892,7 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     </message>
     <message>
         <source>type, or paste rows</source>
-        <translation type="unfinished"></translation>
+        <translation>tippen oder Zeilen einfügen</translation>
     </message>
 </context>
 <context>
@@ -18917,7 +18973,7 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     </message>
     <message>
         <source>%1 of %2</source>
-        <translation type="unfinished">%1 von %2</translation>
+        <translation>%1 von %2</translation>
     </message>
 </context>
 <context>
@@ -19907,7 +19963,7 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     </message>
     <message>
         <source>Change the requirements for %1 results</source>
-        <translation type="unfinished"></translation>
+        <translation>Anforderungen an %1 Ergebnisse ändern</translation>
     </message>
 </context>
 <context>
@@ -20115,71 +20171,79 @@ An diesen Stellen steht „nicht angegeben“. Es sind Felder der Seite des Proj
     <name>covaria::ui::FigureSourcesForm</name>
     <message>
         <source>certificate %1, not named yet</source>
-        <translation type="unfinished"></translation>
+        <translation>Kalibrierschein %1, noch ohne Namen</translation>
     </message>
     <message>
         <source>Applicable in %1 analyses.</source>
-        <translation type="unfinished"></translation>
+        <translation>In %1 Analysen anwendbar.</translation>
     </message>
     <message>
         <source>No analysis uses these figures.</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Analyse verwendet diese Angaben.</translation>
     </message>
     <message>
         <source>Change the date of the measurement</source>
-        <translation type="unfinished"></translation>
+        <translation>Datum der Messung ändern</translation>
     </message>
     <message>
         <source>Certificate of the figures</source>
-        <translation type="unfinished"></translation>
+        <translation>Kalibrierschein der Angaben</translation>
     </message>
     <message>
         <source>Adds a certificate that figures come from</source>
-        <translation type="unfinished"></translation>
+        <translation>Fügt einen Kalibrierschein hinzu, aus dem Angaben stammen</translation>
     </message>
     <message>
         <source>Removes this certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>Entfernt diesen Kalibrierschein</translation>
     </message>
     <message>
         <source>Takes name and digest of the certificate&apos;s file</source>
-        <translation type="unfinished"></translation>
+        <translation>Übernimmt Namen und Hashwert der Datei des Kalibrierscheins</translation>
     </message>
     <message>
         <source>Kind</source>
-        <translation type="unfinished">Art</translation>
+        <translation>Art</translation>
     </message>
     <message>
         <source>Change the kind of a certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>Art eines Kalibrierscheins ändern</translation>
     </message>
     <message>
         <source>Change %1</source>
-        <translation type="unfinished">%1 ändern</translation>
+        <translation>%1 ändern</translation>
     </message>
     <message>
         <source>Add a certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>Kalibrierschein hinzufügen</translation>
     </message>
     <message>
         <source>Remove a certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>Kalibrierschein entfernen</translation>
     </message>
     <message>
         <source>File of the Certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>Datei des Kalibrierscheins</translation>
     </message>
     <message>
         <source>Take the file of a certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>Datei eines Kalibrierscheins übernehmen</translation>
     </message>
     <message>
         <source>These figures are assumed: no certificate states them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Angaben sind angenommen: kein Kalibrierschein gibt sie an.</translation>
     </message>
     <message>
         <source>No certificate states the figures of this set-up.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein Kalibrierschein gibt die Angaben dieses Aufbaus an.</translation>
+    </message>
+    <message>
+        <source>Date of the measurement</source>
+        <translation>Datum der Messung</translation>
+    </message>
+    <message>
+        <source>A date, or two of an interval; empty: that of the project&apos;s certificate.</source>
+        <translation>Ein Datum oder zwei eines Zeitraums; leer: das des Kalibrierscheins des Projekts.</translation>
     </message>
 </context>
 <context>
@@ -20346,7 +20410,7 @@ An diesen Stellen steht „nicht angegeben“. Es sind Felder der Seite des Proj
     <name>covaria::ui::FoldGroups</name>
     <message>
         <source>none</source>
-        <translation type="unfinished">keine</translation>
+        <translation>keine</translation>
     </message>
 </context>
 <context>
@@ -20687,7 +20751,7 @@ An diesen Stellen steht „nicht angegeben“. Es sind Felder der Seite des Proj
     </message>
     <message>
         <source>Notes on the quantity</source>
-        <translation type="unfinished">Notizen zur Größe</translation>
+        <translation>Notizen zur Größe</translation>
     </message>
 </context>
 <context>
@@ -20721,7 +20785,7 @@ An diesen Stellen steht „nicht angegeben“. Es sind Felder der Seite des Proj
     </message>
     <message>
         <source>Properties</source>
-        <translation type="unfinished">Eigenschaften</translation>
+        <translation>Eigenschaften</translation>
     </message>
     <message>
         <source>Project and documents</source>
@@ -20989,11 +21053,11 @@ Gewählt: %2</translation>
     </message>
     <message>
         <source>Run</source>
-        <translation type="unfinished">Ausführen</translation>
+        <translation>Ausführen</translation>
     </message>
     <message>
         <source>Document</source>
-        <translation type="unfinished">Dokument</translation>
+        <translation>Dokument</translation>
     </message>
 </context>
 <context>
@@ -21124,11 +21188,11 @@ Gewählt: %2</translation>
     </message>
     <message>
         <source>Require…</source>
-        <translation type="unfinished"></translation>
+        <translation>Anforderungen…</translation>
     </message>
     <message>
         <source>Target uncertainty and limits of the results that are selected</source>
-        <translation type="unfinished"></translation>
+        <translation>Zielunsicherheit und Grenzen der ausgewählten Ergebnisse</translation>
     </message>
 </context>
 <context>
@@ -21620,7 +21684,7 @@ Verwendet von: %1. Dort steht ein Fehler, bis etwas anderes verwendet wird.</tra
     </message>
     <message>
         <source>Add an analysis or what it uses</source>
-        <translation type="unfinished">Eine Analyse hinzufügen oder was sie verwendet</translation>
+        <translation>Eine Analyse hinzufügen oder was sie verwendet</translation>
     </message>
 </context>
 <context>
@@ -21746,7 +21810,7 @@ Verwendet von: %1. Dort steht ein Fehler, bis etwas anderes verwendet wird.</tra
     </message>
     <message>
         <source>Certificates</source>
-        <translation type="unfinished"></translation>
+        <translation>Kalibrierscheine</translation>
     </message>
 </context>
 <context>
@@ -21916,7 +21980,7 @@ Verwendet von: %1. Dort steht ein Fehler, bis etwas anderes verwendet wird.</tra
     <name>covaria::ui::RequirementDialog</name>
     <message>
         <source>Require of Results</source>
-        <translation type="unfinished"></translation>
+        <translation>Anforderungen an Ergebnisse</translation>
     </message>
 </context>
 <context>
@@ -22440,7 +22504,7 @@ Verwendet von: %1. Dort steht ein Fehler, bis etwas anderes verwendet wird.</tra
     </message>
     <message>
         <source>group</source>
-        <translation type="unfinished">Gruppe</translation>
+        <translation>Gruppe</translation>
     </message>
 </context>
 <context>
@@ -22521,7 +22585,7 @@ Verwendet von: %1. Dort steht ein Fehler, bis etwas anderes verwendet wird.</tra
     </message>
     <message>
         <source>Go to Source</source>
-        <translation type="unfinished">Zur Quelle</translation>
+        <translation>Zur Quelle</translation>
     </message>
 </context>
 <context>
@@ -23151,7 +23215,7 @@ Verwendet von: %1. Dort steht ein Fehler, bis etwas anderes verwendet wird.</tra
     </message>
     <message>
         <source>Fill down</source>
-        <translation type="unfinished">Nach unten ausfüllen</translation>
+        <translation>Nach unten ausfüllen</translation>
     </message>
 </context>
 <context>

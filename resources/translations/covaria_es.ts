@@ -16878,7 +16878,7 @@ nu 18 detrás de cualquiera de ellos: grados de libertad</translation>
     </message>
     <message>
         <source>column &apos;%1&apos; of &apos;%2&apos; is %3; its unit is missing: write &quot;%4 [%5]&quot;</source>
-        <translation type="unfinished">la columna &apos;%1&apos; de &apos;%2&apos; es %3; falta su unidad: escriba &quot;%1 [%4]&quot; {1&apos;?} {2&apos;?} {3;?} {4 ?} {5]?}</translation>
+        <translation>la columna &apos;%1&apos; de &apos;%2&apos; es %3; falta su unidad: escriba &quot;%4 [%5]&quot;</translation>
     </message>
     <message>
         <source>column &apos;%1&apos; of &apos;%2&apos; is a difference of temperatures: give it in %3, not in %4</source>
@@ -17586,491 +17586,547 @@ nu 18 detrás de cualquiera de ellos: grados de libertad</translation>
     </message>
     <message>
         <source>deviation of the barycentre of %1, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>desviación del baricentro de %1, %2</translation>
     </message>
     <message>
         <source>x in a frame</source>
-        <translation type="unfinished"></translation>
+        <translation>x en un sistema</translation>
     </message>
     <message>
         <source>y in a frame</source>
-        <translation type="unfinished"></translation>
+        <translation>y en un sistema</translation>
     </message>
     <message>
         <source>z in a frame</source>
-        <translation type="unfinished"></translation>
+        <translation>z en un sistema</translation>
     </message>
     <message>
         <source>frame</source>
-        <translation type="unfinished"></translation>
+        <translation>sistema</translation>
     </message>
     <message>
         <source>Of a coordinate in a frame: the name of the frame, whose pose the readings tell: that of an arm, a scanner, a photogrammetric network.</source>
-        <translation type="unfinished"></translation>
+        <translation>De una coordenada en un sistema: el nombre del sistema, cuya pose dicen las lecturas: el de un brazo, un escáner, una red fotogramétrica.</translation>
     </message>
     <message>
         <source>Frames, planes and lines</source>
-        <translation type="unfinished"></translation>
+        <translation>Sistemas, planos y rectas</translation>
     </message>
     <message>
         <source>Frames that readings name, where more is known of them than that their pose is unknown, and planes and lines on which points are.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sistemas nombrados en las lecturas de los que se sabe algo más que el hecho de que su pose es desconocida, y planos y rectas en los que hay puntos.</translation>
     </message>
     <message>
         <source>Name of the frame, as in the column of the readings.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nombre del sistema, como en la columna de las lecturas.</translation>
     </message>
     <message>
         <source>An own frame with all of its axes; or a plane, from which points are as far as their z in it says; or a line along its x-axis, from which their y and z say how far they are.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un sistema propio con todos sus ejes; o un plano, del que los puntos distan lo que dice su z en él; o una recta según su eje x, de la que sus y y z dicen cuánto distan.</translation>
     </message>
     <message>
         <source>own frame</source>
-        <translation type="unfinished"></translation>
+        <translation>sistema propio</translation>
     </message>
     <message>
         <source>Scale of an own frame: fixed; unknown, so that the readings tell it; stated with u.</source>
-        <translation type="unfinished"></translation>
+        <translation>Escala de un sistema propio: fija; incógnita, de modo que las lecturas la dicen; indicada con u.</translation>
     </message>
     <message>
         <source>scale beyond 1</source>
-        <translation type="unfinished"></translation>
+        <translation>escala más allá de 1</translation>
     </message>
     <message>
         <source>By how much coordinates in the frame are too long; 0 where it is empty.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cuánto son demasiado largas las coordenadas en el sistema; 0 si está vacío.</translation>
     </message>
     <message>
         <source>u of scale</source>
-        <translation type="unfinished"></translation>
+        <translation>u de escala</translation>
     </message>
     <message>
         <source>Standard uncertainty of a stated scale.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre típica de una escala indicada.</translation>
     </message>
     <message>
         <source>Of an own frame whose z-axis is vertical: within that standard uncertainty about x and about y; empty: nothing is known of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>De un sistema propio cuyo eje z es vertical: dentro de esa incertidumbre típica alrededor de x y alrededor de y; vacío: no se sabe nada al respecto.</translation>
     </message>
     <message>
         <source>two frames are called %1</source>
-        <translation type="unfinished"></translation>
+        <translation>dos sistemas se llaman %1</translation>
     </message>
     <message>
         <source>%1 has no scale and no tilt to state</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 no tiene escala ni inclinación que indicar</translation>
     </message>
     <message>
         <source>%1: the u of its stated scale is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: falta la u de su escala indicada</translation>
     </message>
     <message>
         <source>there is no reading in %1</source>
-        <translation type="unfinished"></translation>
+        <translation>no hay ninguna lectura en %1</translation>
     </message>
     <message>
         <source>%1 has points without heights</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 tiene puntos sin altura</translation>
     </message>
     <message>
         <source>a coordinate of %1 in a frame: the name of the frame is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>una coordenada de %1 en un sistema: falta el nombre del sistema</translation>
     </message>
     <message>
         <source>%1 has no such coordinate of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 no tiene tal coordenada de %2</translation>
     </message>
     <message>
         <source>a coordinate in %1 needs x and y of %2, which are not part of the network</source>
-        <translation type="unfinished"></translation>
+        <translation>una coordenada en %1 necesita x e y de %2, que no forman parte de la red</translation>
     </message>
     <message>
         <source>nothing tells how %1 lies: read more points in it whose places other readings tell, not all on a line</source>
-        <translation type="unfinished"></translation>
+        <translation>nada dice cómo está situado %1: lea en él más puntos cuyos lugares digan otras lecturas, no todos en una recta</translation>
     </message>
     <message>
         <source>%1, there and back</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, ida y vuelta</translation>
     </message>
     <message>
         <source>%1, again</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, de nuevo</translation>
     </message>
     <message>
         <source>angle at %1 from %2 to %3, in two rounds</source>
-        <translation type="unfinished"></translation>
+        <translation>ángulo en %1 de %2 a %3, en dos series</translation>
     </message>
     <message>
         <source>loop of differences of x, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>ciclo de diferencias de x, %1</translation>
     </message>
     <message>
         <source>loop of differences of y, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>ciclo de diferencias de y, %1</translation>
     </message>
     <message>
         <source>loop of height differences, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>ciclo de desniveles, %1</translation>
     </message>
     <message>
         <source>before the adjustment: %1 closes with %2 %3, %4 times its u</source>
-        <translation type="unfinished"></translation>
+        <translation>antes de la compensación: %1 cierra con %2 %3, %4 veces su u</translation>
     </message>
     <message>
         <source>and %1 more closures are beyond 3.29 times their u</source>
-        <translation type="unfinished"></translation>
+        <translation>y %1 cierres más superan 3.29 veces su u</translation>
     </message>
     <message>
         <source>Closures before the adjustment</source>
-        <translation type="unfinished"></translation>
+        <translation>Cierres antes de la compensación</translation>
     </message>
     <message>
         <source>Closure</source>
-        <translation type="unfinished"></translation>
+        <translation>Cierre</translation>
     </message>
     <message>
         <source>misclosure</source>
-        <translation type="unfinished"></translation>
+        <translation>error de cierre</translation>
     </message>
     <message>
         <source>u of the misclosure</source>
-        <translation type="unfinished"></translation>
+        <translation>u del error de cierre</translation>
     </message>
     <message>
         <source>misclosure over u</source>
-        <translation type="unfinished"></translation>
+        <translation>error de cierre entre u</translation>
     </message>
     <message>
         <source>too large?</source>
-        <translation type="unfinished"></translation>
+        <translation>¿demasiado grande?</translation>
     </message>
     <message>
         <source>%1 closures are beyond 3.29 times their u (0.1 %).</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 cierres superan 3.29 veces su u (0.1 %).</translation>
     </message>
     <message>
         <source>coordinates in frames</source>
-        <translation type="unfinished"></translation>
+        <translation>coordenadas en sistemas</translation>
     </message>
     <message>
         <source>frame %1</source>
-        <translation type="unfinished"></translation>
+        <translation>sistema %1</translation>
     </message>
     <message>
         <source>plane %1</source>
-        <translation type="unfinished"></translation>
+        <translation>plano %1</translation>
     </message>
     <message>
         <source>line %1</source>
-        <translation type="unfinished"></translation>
+        <translation>recta %1</translation>
     </message>
     <message>
         <source>station %1</source>
-        <translation type="unfinished"></translation>
+        <translation>estación %1</translation>
     </message>
     <message>
         <source>target %1</source>
-        <translation type="unfinished"></translation>
+        <translation>diana %1</translation>
     </message>
     <message>
         <source>directions at %1</source>
-        <translation type="unfinished"></translation>
+        <translation>direcciones en %1</translation>
     </message>
     <message>
         <source>directions at %1, round %2</source>
-        <translation type="unfinished"></translation>
+        <translation>direcciones en %1, serie %2</translation>
     </message>
     <message>
         <source>Groups of readings</source>
-        <translation type="unfinished"></translation>
+        <translation>Grupos de lecturas</translation>
     </message>
     <message>
         <source>controlled</source>
-        <translation type="unfinished"></translation>
+        <translation>controladas</translation>
     </message>
     <message>
         <source>sum of squares falls by</source>
-        <translation type="unfinished"></translation>
+        <translation>la suma de cuadrados baja en</translation>
     </message>
     <message>
         <source>contradicts the others?</source>
-        <translation type="unfinished"></translation>
+        <translation>¿contradice a las demás?</translation>
     </message>
     <message>
         <source>Without the group the sum of squares falls by as much, which is a chi-square of as many degrees of freedom as of its readings the others control; p is its probability.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sin el grupo la suma de cuadrados baja en esa cantidad, que es un ji cuadrado con tantos grados de libertad como lecturas del grupo controlan las demás; p es su probabilidad.</translation>
     </message>
     <message>
         <source>%1 groups have p &lt; 0.1 %; where several do, look at the first.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 grupos tienen p &lt; 0.1 %; si son varios, mire primero el primero.</translation>
     </message>
     <message>
         <source>%1, origin along %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, origen según %2</translation>
     </message>
     <message>
         <source>%1, offset along its %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, desplazamiento según su %2</translation>
     </message>
     <message>
         <source>%1, tilt about its %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, inclinación alrededor de su %2</translation>
     </message>
     <message>
         <source>%1, turn about %2 after a right angle about y</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, giro alrededor de %2 tras un ángulo recto alrededor de y</translation>
     </message>
     <message>
         <source>%1, turn about %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, giro alrededor de %2</translation>
     </message>
     <message>
         <source>tilt of %1 about %2</source>
-        <translation type="unfinished"></translation>
+        <translation>inclinación de %1 alrededor de %2</translation>
     </message>
     <message>
         <source>%1 of %2 in %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 de %2 en %3</translation>
     </message>
     <message>
         <source>frames</source>
-        <translation type="unfinished"></translation>
+        <translation>sistemas</translation>
     </message>
     <message>
         <source>it must be the SHA-256 of the file: 64 hexadecimal digits</source>
-        <translation type="unfinished"></translation>
+        <translation>debe ser el SHA-256 del archivo: 64 dígitos hexadecimales</translation>
     </message>
     <message>
         <source>its figures would have been valid only before the calibration</source>
-        <translation type="unfinished"></translation>
+        <translation>sus cifras solo habrían sido válidas antes de la calibración</translation>
     </message>
     <message>
         <source>the symbol of a quantity or the key of a field is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>falta el símbolo de una magnitud o la clave de un campo</translation>
     </message>
     <message>
         <source>a range needs its lowest or its highest value</source>
-        <translation type="unfinished"></translation>
+        <translation>un intervalo necesita su valor mínimo o su valor máximo</translation>
     </message>
     <message>
         <source>its unit does not fit that of the lowest value</source>
-        <translation type="unfinished"></translation>
+        <translation>su unidad no es compatible con la del valor mínimo</translation>
     </message>
     <message>
         <source>it is below the lowest value</source>
-        <translation type="unfinished"></translation>
+        <translation>es menor que el valor mínimo</translation>
     </message>
     <message>
         <source>%1 %2</source>
-        <translation type="unfinished">%1 de %2 de %3 {1 %2?}</translation>
+        <translation>%1 %2</translation>
     </message>
     <message>
         <source>%1 %2 of %3</source>
-        <translation type="unfinished">%1 de %3 {1 %2 ?}</translation>
+        <translation>%1 %2 de %3</translation>
     </message>
     <message>
         <source>nothing says which certificate it is: its number is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>nada dice qué certificado es: falta su número</translation>
     </message>
     <message>
         <source>a range of a certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>un intervalo de un certificado</translation>
     </message>
     <message>
         <source>a certificate of figures</source>
-        <translation type="unfinished"></translation>
+        <translation>un certificado de cifras</translation>
     </message>
     <message>
         <source>its figures hold for %1 of %2, and here it is %3</source>
-        <translation type="unfinished"></translation>
+        <translation>sus cifras valen para %1 de %2, y aquí es %3</translation>
     </message>
     <message>
         <source>its figures hold for %1 of %2, and nothing here is called so</source>
-        <translation type="unfinished"></translation>
+        <translation>sus cifras valen para %1 de %2, y aquí nada se llama así</translation>
     </message>
     <message>
         <source>applicable</source>
-        <translation type="unfinished"></translation>
+        <translation>aplicable</translation>
     </message>
     <message>
         <source>not known</source>
-        <translation type="unfinished"></translation>
+        <translation>no se sabe</translation>
     </message>
     <message>
         <source>outside what it holds for</source>
-        <translation type="unfinished"></translation>
+        <translation>fuera de aquello para lo que vale</translation>
     </message>
     <message>
         <source>expired</source>
-        <translation type="unfinished"></translation>
+        <translation>caducado</translation>
     </message>
     <message>
         <source>until when it is valid is not stated</source>
-        <translation type="unfinished"></translation>
+        <translation>no se indica hasta cuándo es válido</translation>
     </message>
     <message>
         <source>the date of the measurement is not stated</source>
-        <translation type="unfinished"></translation>
+        <translation>no se indica la fecha de la medición</translation>
     </message>
     <message>
         <source>it is of %1, and the measurement of %2 before it</source>
-        <translation type="unfinished"></translation>
+        <translation>es del %1, y la medición del %2 es anterior</translation>
     </message>
     <message>
         <source>it was valid until %1, and the measurement is of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>era válido hasta el %1, y la medición es del %2</translation>
     </message>
     <message>
         <source>%1; %2</source>
-        <translation type="unfinished">%1: %2 {1;?}</translation>
+        <translation>%1; %2</translation>
     </message>
     <message>
         <source>%1: %2: %3</source>
-        <translation type="unfinished">%1, %2: %3 {1:?} {2:?}</translation>
+        <translation>%1: %2: %3</translation>
     </message>
     <message>
         <source>Certificates of the figures</source>
-        <translation type="unfinished"></translation>
+        <translation>Certificados de las cifras</translation>
     </message>
     <message>
         <source>Figures of</source>
-        <translation type="unfinished"></translation>
+        <translation>Cifras de</translation>
     </message>
     <message>
         <source>Calibrated</source>
-        <translation type="unfinished"></translation>
+        <translation>Calibrado</translation>
     </message>
     <message>
         <source>Valid until</source>
-        <translation type="unfinished"></translation>
+        <translation>Válido hasta</translation>
     </message>
     <message>
         <source>%1: %2.</source>
-        <translation type="unfinished">%1: %2. {1:?}</translation>
+        <translation>%1: %2.</translation>
     </message>
     <message>
         <source>Of %1 artefacts and instruments %2 have no certificate; their figures are assumed: %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>De %1 artefactos e instrumentos, %2 no tienen certificado; sus cifras son supuestas: %3.</translation>
     </message>
     <message>
         <source>it is no project</source>
-        <translation type="unfinished"></translation>
+        <translation>no es un proyecto</translation>
     </message>
     <message>
         <source>it has errors</source>
-        <translation type="unfinished"></translation>
+        <translation>tiene errores</translation>
     </message>
     <message>
         <source>%1, with the old figures: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, con las cifras anteriores: %2</translation>
     </message>
     <message>
         <source>%1, with the new figures: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, con las cifras nuevas: %2</translation>
     </message>
     <message>
         <source>%1: with the new figures there is no %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: con las cifras nuevas no hay %2</translation>
     </message>
     <message>
         <source>there is no folder or file %1</source>
-        <translation type="unfinished"></translation>
+        <translation>no hay ninguna carpeta ni archivo %1</translation>
     </message>
     <message>
         <source>the folder %1 cannot be read: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>no se puede leer la carpeta %1: %2</translation>
     </message>
     <message>
         <source>Results that change, the largest change first</source>
-        <translation type="unfinished"></translation>
+        <translation>Resultados que cambian, primero el mayor cambio</translation>
     </message>
     <message>
         <source>File</source>
-        <translation type="unfinished"></translation>
+        <translation>Archivo</translation>
     </message>
     <message>
         <source>Change in U</source>
-        <translation type="unfinished"></translation>
+        <translation>Cambio en U</translation>
     </message>
     <message>
         <source>Verdict before</source>
-        <translation type="unfinished"></translation>
+        <translation>Veredicto antes</translation>
     </message>
     <message>
         <source>Verdict after</source>
-        <translation type="unfinished"></translation>
+        <translation>Veredicto después</translation>
     </message>
     <message>
         <source>%1 projects and reports were looked at; %2 use the figures.</source>
-        <translation type="unfinished"></translation>
+        <translation>Se examinaron %1 proyectos e informes; %2 usan las cifras.</translation>
     </message>
     <message>
         <source>Of %1 results %2 change, %3 of them in what is stated; %4 verdicts change.</source>
-        <translation type="unfinished"></translation>
+        <translation>De %1 resultados cambian %2, de ellos %3 en lo que se indica; cambian %4 veredictos.</translation>
     </message>
     <message>
         <source>%1 could not be evaluated.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 no se pudieron evaluar.</translation>
     </message>
     <message>
         <source>Impact of new figures</source>
-        <translation type="unfinished"></translation>
+        <translation>Impacto de las cifras nuevas</translation>
     </message>
     <message>
         <source>Results that rest on a certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>Resultados que se apoyan en un certificado</translation>
     </message>
     <message>
         <source>Replaced</source>
-        <translation type="unfinished"></translation>
+        <translation>Sustituido</translation>
     </message>
     <message>
         <source>By</source>
-        <translation type="unfinished"></translation>
+        <translation>Por</translation>
     </message>
     <message>
         <source>Looked for in</source>
-        <translation type="unfinished"></translation>
+        <translation>Buscado en</translation>
     </message>
     <message>
         <source>The change of the value is given in units of the expanded uncertainty that was stated.</source>
-        <translation type="unfinished"></translation>
+        <translation>El cambio del valor se da en unidades de la incertidumbre expandida que se indicó.</translation>
     </message>
     <message>
         <source>Documents to amend</source>
-        <translation type="unfinished"></translation>
+        <translation>Documentos que enmendar</translation>
     </message>
     <message>
         <source>Not evaluated</source>
-        <translation type="unfinished"></translation>
+        <translation>No evaluado</translation>
     </message>
     <message>
         <source>the tables of quantities have other units</source>
-        <translation type="unfinished"></translation>
+        <translation>las tablas de magnitudes tienen otras unidades</translation>
     </message>
     <message>
         <source>the new figures say nothing of the quantity %1</source>
-        <translation type="unfinished"></translation>
+        <translation>las cifras nuevas no dicen nada de la magnitud %1</translation>
     </message>
     <message>
         <source>none of the quantities of the certificate is stated</source>
-        <translation type="unfinished"></translation>
+        <translation>no se indica ninguna de las magnitudes del certificado</translation>
     </message>
     <message>
         <source>%1 states no quantities in a table</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 no indica ninguna magnitud en una tabla</translation>
     </message>
     <message>
         <source>%1 has nothing with the id %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 no tiene nada con el id %2</translation>
     </message>
     <message>
         <source>%1 has no new figures for %2: nothing in it is of the same kind</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 no tiene cifras nuevas para %2: nada en él es de la misma clase</translation>
     </message>
     <message>
         <source>%1 has several figures that %2 could have: name the one behind &apos;#&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 tiene varias cifras que podrían ser para %2: nombre la que sea detrás de &apos;#&apos;</translation>
+    </message>
+    <message>
+        <source>As it stands on the certificate.</source>
+        <translation>Como figura en el certificado.</translation>
+    </message>
+    <message>
+        <source>Edition</source>
+        <translation>Edición</translation>
+    </message>
+    <message>
+        <source>Of an amended certificate or a data sheet.</source>
+        <translation>De un certificado enmendado o de una hoja de datos.</translation>
+    </message>
+    <message>
+        <source>Issuer</source>
+        <translation>Emisor</translation>
+    </message>
+    <message>
+        <source>Laboratory, manufacturer.</source>
+        <translation>Laboratorio, fabricante.</translation>
+    </message>
+    <message>
+        <source>The last day on which the figures may be used, by your own rule.</source>
+        <translation>El último día en que se pueden usar las cifras, según su propia regla.</translation>
+    </message>
+    <message>
+        <source>Conditions</source>
+        <translation>Condiciones</translation>
+    </message>
+    <message>
+        <source>What the figures hold for, in words: mode, filter, support.</source>
+        <translation>Para qué valen las cifras, en palabras: modo, filtro, apoyo.</translation>
+    </message>
+    <message>
+        <source>Its name.</source>
+        <translation>Su nombre.</translation>
+    </message>
+    <message>
+        <source>Digest</source>
+        <translation>Hash</translation>
+    </message>
+    <message>
+        <source>SHA-256 of the file, 64 hexadecimal digits.</source>
+        <translation>SHA-256 del archivo, 64 dígitos hexadecimales.</translation>
+    </message>
+    <message>
+        <source>certificate</source>
+        <translation>certificado</translation>
+    </message>
+    <message>
+        <source>report</source>
+        <translation>informe</translation>
+    </message>
+    <message>
+        <source>data sheet</source>
+        <translation>hoja de datos</translation>
     </message>
 </context>
 <context>
@@ -18591,11 +18647,11 @@ nu 18 detrás de cualquiera de ellos: grados de libertad</translation>
     </message>
     <message>
         <source>distr.</source>
-        <translation type="unfinished"></translation>
+        <translation>distr.</translation>
     </message>
     <message>
         <source>Distribution that Monte Carlo draws</source>
-        <translation type="unfinished"></translation>
+        <translation>Distribución de la que extrae Monte Carlo</translation>
     </message>
 </context>
 <context>
@@ -18786,11 +18842,11 @@ nu 18 detrás de cualquiera de ellos: grados de libertad</translation>
     <name>covaria::ui::BudgetFootModel</name>
     <message>
         <source>Out of date: being computed.</source>
-        <translation type="unfinished">Desactualizado: se está calculando.</translation>
+        <translation>Desactualizado: se está calculando.</translation>
     </message>
     <message>
         <source>Combined standard uncertainty by the law of propagation</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre típica combinada por la ley de propagación</translation>
     </message>
 </context>
 <context>
@@ -18809,7 +18865,7 @@ nu 18 detrás de cualquiera de ellos: grados de libertad</translation>
     </message>
     <message>
         <source>Result of the budget</source>
-        <translation type="unfinished"></translation>
+        <translation>Resultado del balance</translation>
     </message>
 </context>
 <context>
@@ -18836,7 +18892,7 @@ nu 18 detrás de cualquiera de ellos: grados de libertad</translation>
     </message>
     <message>
         <source>type, or paste rows</source>
-        <translation type="unfinished"></translation>
+        <translation>teclee o pegue filas</translation>
     </message>
 </context>
 <context>
@@ -18917,7 +18973,7 @@ nu 18 detrás de cualquiera de ellos: grados de libertad</translation>
     </message>
     <message>
         <source>%1 of %2</source>
-        <translation type="unfinished">%1 de %2</translation>
+        <translation>%1 de %2</translation>
     </message>
 </context>
 <context>
@@ -19907,7 +19963,7 @@ nu 18 detrás de cualquiera de ellos: grados de libertad</translation>
     </message>
     <message>
         <source>Change the requirements for %1 results</source>
-        <translation type="unfinished"></translation>
+        <translation>Modificar los requisitos para %1 resultados</translation>
     </message>
 </context>
 <context>
@@ -20115,71 +20171,79 @@ En esos lugares figura “not stated”. Son campos de la página del proyecto.<
     <name>covaria::ui::FigureSourcesForm</name>
     <message>
         <source>certificate %1, not named yet</source>
-        <translation type="unfinished"></translation>
+        <translation>certificado %1, aún sin nombre</translation>
     </message>
     <message>
         <source>Applicable in %1 analyses.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aplicable en %1 análisis.</translation>
     </message>
     <message>
         <source>No analysis uses these figures.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ningún análisis usa estas cifras.</translation>
     </message>
     <message>
         <source>Change the date of the measurement</source>
-        <translation type="unfinished"></translation>
+        <translation>Modificar la fecha de la medición</translation>
     </message>
     <message>
         <source>Certificate of the figures</source>
-        <translation type="unfinished"></translation>
+        <translation>Certificado de las cifras</translation>
     </message>
     <message>
         <source>Adds a certificate that figures come from</source>
-        <translation type="unfinished"></translation>
+        <translation>Añade un certificado del que proceden cifras</translation>
     </message>
     <message>
         <source>Removes this certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>Quita este certificado</translation>
     </message>
     <message>
         <source>Takes name and digest of the certificate&apos;s file</source>
-        <translation type="unfinished"></translation>
+        <translation>Toma el nombre y el hash del archivo del certificado</translation>
     </message>
     <message>
         <source>Kind</source>
-        <translation type="unfinished">Clase</translation>
+        <translation>Clase</translation>
     </message>
     <message>
         <source>Change the kind of a certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>Modificar la clase de un certificado</translation>
     </message>
     <message>
         <source>Change %1</source>
-        <translation type="unfinished">Cambiar %1</translation>
+        <translation>Cambiar %1</translation>
     </message>
     <message>
         <source>Add a certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>Añadir un certificado</translation>
     </message>
     <message>
         <source>Remove a certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>Quitar un certificado</translation>
     </message>
     <message>
         <source>File of the Certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>Archivo del certificado</translation>
     </message>
     <message>
         <source>Take the file of a certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>Tomar el archivo de un certificado</translation>
     </message>
     <message>
         <source>These figures are assumed: no certificate states them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Estas cifras son supuestas: ningún certificado las indica.</translation>
     </message>
     <message>
         <source>No certificate states the figures of this set-up.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ningún certificado indica las cifras de esta configuración.</translation>
+    </message>
+    <message>
+        <source>Date of the measurement</source>
+        <translation>Fecha de la medición</translation>
+    </message>
+    <message>
+        <source>A date, or two of an interval; empty: that of the project&apos;s certificate.</source>
+        <translation>Una fecha, o dos de un intervalo; vacío: la del certificado del proyecto.</translation>
     </message>
 </context>
 <context>
@@ -20346,7 +20410,7 @@ En esos lugares figura “not stated”. Son campos de la página del proyecto.<
     <name>covaria::ui::FoldGroups</name>
     <message>
         <source>none</source>
-        <translation type="unfinished">ninguno</translation>
+        <translation>ninguno</translation>
     </message>
 </context>
 <context>
@@ -20687,7 +20751,7 @@ En esos lugares figura “not stated”. Son campos de la página del proyecto.<
     </message>
     <message>
         <source>Notes on the quantity</source>
-        <translation type="unfinished">Notas sobre la magnitud</translation>
+        <translation>Notas sobre la magnitud</translation>
     </message>
 </context>
 <context>
@@ -20721,7 +20785,7 @@ En esos lugares figura “not stated”. Son campos de la página del proyecto.<
     </message>
     <message>
         <source>Properties</source>
-        <translation type="unfinished">Propiedades</translation>
+        <translation>Propiedades</translation>
     </message>
     <message>
         <source>Project and documents</source>
@@ -20989,11 +21053,11 @@ Elegido: %2</translation>
     </message>
     <message>
         <source>Run</source>
-        <translation type="unfinished">Ejecutar</translation>
+        <translation>Ejecutar</translation>
     </message>
     <message>
         <source>Document</source>
-        <translation type="unfinished">Documento</translation>
+        <translation>Documento</translation>
     </message>
 </context>
 <context>
@@ -21124,11 +21188,11 @@ Elegido: %2</translation>
     </message>
     <message>
         <source>Require…</source>
-        <translation type="unfinished"></translation>
+        <translation>Exigir…</translation>
     </message>
     <message>
         <source>Target uncertainty and limits of the results that are selected</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre objetivo y límites de los resultados seleccionados</translation>
     </message>
 </context>
 <context>
@@ -21620,7 +21684,7 @@ Lo usan: %1. Tendrán un error hasta que usen otra cosa.</translation>
     </message>
     <message>
         <source>Add an analysis or what it uses</source>
-        <translation type="unfinished">Añade un análisis o lo que este usa</translation>
+        <translation>Añade un análisis o lo que este usa</translation>
     </message>
 </context>
 <context>
@@ -21746,7 +21810,7 @@ Lo usan: %1. Tendrán un error hasta que usen otra cosa.</translation>
     </message>
     <message>
         <source>Certificates</source>
-        <translation type="unfinished"></translation>
+        <translation>Certificados</translation>
     </message>
 </context>
 <context>
@@ -21916,7 +21980,7 @@ Lo usan: %1. Tendrán un error hasta que usen otra cosa.</translation>
     <name>covaria::ui::RequirementDialog</name>
     <message>
         <source>Require of Results</source>
-        <translation type="unfinished"></translation>
+        <translation>Exigir a los resultados</translation>
     </message>
 </context>
 <context>
@@ -22440,7 +22504,7 @@ Lo usan: %1. Tendrán un error hasta que usen otra cosa.</translation>
     </message>
     <message>
         <source>group</source>
-        <translation type="unfinished">grupo</translation>
+        <translation>grupo</translation>
     </message>
 </context>
 <context>
@@ -22521,7 +22585,7 @@ Lo usan: %1. Tendrán un error hasta que usen otra cosa.</translation>
     </message>
     <message>
         <source>Go to Source</source>
-        <translation type="unfinished">Ir al origen</translation>
+        <translation>Ir al origen</translation>
     </message>
 </context>
 <context>
@@ -23151,7 +23215,7 @@ Lo usan: %1. Tendrán un error hasta que usen otra cosa.</translation>
     </message>
     <message>
         <source>Fill down</source>
-        <translation type="unfinished">Rellenar abajo</translation>
+        <translation>Rellenar abajo</translation>
     </message>
 </context>
 <context>

@@ -16877,7 +16877,7 @@ sample 1; 2; 3 weights 2; 5; 2 (그대로 뽑음), histogram 0; 1; 2 weights 5; 
     </message>
     <message>
         <source>column &apos;%1&apos; of &apos;%2&apos; is %3; its unit is missing: write &quot;%4 [%5]&quot;</source>
-        <translation type="unfinished">&apos;%2&apos;의 열 &apos;%1&apos;은(는) %3입니다. 단위가 없습니다. &quot;%1 [%4]&quot;로 적으십시오 {1&apos;?} {2&apos;?} {3;?} {4 ?} {5]?}</translation>
+        <translation>&apos;%2&apos;의 열 &apos;%1&apos;은(는) %3입니다. 단위가 없습니다. &quot;%4 [%5]&quot;(으)로 적으십시오</translation>
     </message>
     <message>
         <source>column &apos;%1&apos; of &apos;%2&apos; is a difference of temperatures: give it in %3, not in %4</source>
@@ -17585,491 +17585,547 @@ sample 1; 2; 3 weights 2; 5; 2 (그대로 뽑음), histogram 0; 1; 2 weights 5; 
     </message>
     <message>
         <source>deviation of the barycentre of %1, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 무게중심의 편차, %2</translation>
     </message>
     <message>
         <source>x in a frame</source>
-        <translation type="unfinished"></translation>
+        <translation>좌표계에서의 x</translation>
     </message>
     <message>
         <source>y in a frame</source>
-        <translation type="unfinished"></translation>
+        <translation>좌표계에서의 y</translation>
     </message>
     <message>
         <source>z in a frame</source>
-        <translation type="unfinished"></translation>
+        <translation>좌표계에서의 z</translation>
     </message>
     <message>
         <source>frame</source>
-        <translation type="unfinished"></translation>
+        <translation>좌표계</translation>
     </message>
     <message>
         <source>Of a coordinate in a frame: the name of the frame, whose pose the readings tell: that of an arm, a scanner, a photogrammetric network.</source>
-        <translation type="unfinished"></translation>
+        <translation>좌표계에서의 좌표인 경우 좌표계의 이름. 그 포즈는 읽음값으로 구합니다. 측정 암, 스캐너, 사진측량망의 좌표계 등.</translation>
     </message>
     <message>
         <source>Frames, planes and lines</source>
-        <translation type="unfinished"></translation>
+        <translation>좌표계, 평면, 직선</translation>
     </message>
     <message>
         <source>Frames that readings name, where more is known of them than that their pose is unknown, and planes and lines on which points are.</source>
-        <translation type="unfinished"></translation>
+        <translation>읽음값에서 이름을 쓰는 좌표계 가운데 포즈가 미지라는 것 외에 더 알려진 것이 있는 좌표계, 그리고 점이 놓인 평면과 직선.</translation>
     </message>
     <message>
         <source>Name of the frame, as in the column of the readings.</source>
-        <translation type="unfinished"></translation>
+        <translation>읽음값의 열에 있는 것과 같은 좌표계의 이름.</translation>
     </message>
     <message>
         <source>An own frame with all of its axes; or a plane, from which points are as far as their z in it says; or a line along its x-axis, from which their y and z say how far they are.</source>
-        <translation type="unfinished"></translation>
+        <translation>모든 축을 가진 고유 좌표계. 또는 평면으로, 점의 z가 평면에서 떨어진 거리를 나타냅니다. 또는 자체 x축을 따르는 직선으로, 점의 y와 z가 직선에서 떨어진 거리를 나타냅니다.</translation>
     </message>
     <message>
         <source>own frame</source>
-        <translation type="unfinished"></translation>
+        <translation>고유 좌표계</translation>
     </message>
     <message>
         <source>Scale of an own frame: fixed; unknown, so that the readings tell it; stated with u.</source>
-        <translation type="unfinished"></translation>
+        <translation>고유 좌표계의 척도: 고정; 미지, 읽음값으로 구함; u와 함께 제시.</translation>
     </message>
     <message>
         <source>scale beyond 1</source>
-        <translation type="unfinished"></translation>
+        <translation>1을 넘는 척도 부분</translation>
     </message>
     <message>
         <source>By how much coordinates in the frame are too long; 0 where it is empty.</source>
-        <translation type="unfinished"></translation>
+        <translation>좌표계에서의 좌표가 지나치게 긴 정도. 비어 있으면 0.</translation>
     </message>
     <message>
         <source>u of scale</source>
-        <translation type="unfinished"></translation>
+        <translation>척도의 u</translation>
     </message>
     <message>
         <source>Standard uncertainty of a stated scale.</source>
-        <translation type="unfinished"></translation>
+        <translation>제시된 척도의 표준불확도.</translation>
     </message>
     <message>
         <source>Of an own frame whose z-axis is vertical: within that standard uncertainty about x and about y; empty: nothing is known of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>z축이 연직인 고유 좌표계의 것. x 둘레와 y 둘레로 이 표준불확도 이내. 비어 있으면 이에 대해 알려진 것이 없습니다.</translation>
     </message>
     <message>
         <source>two frames are called %1</source>
-        <translation type="unfinished"></translation>
+        <translation>두 좌표계의 이름이 %1입니다</translation>
     </message>
     <message>
         <source>%1 has no scale and no tilt to state</source>
-        <translation type="unfinished"></translation>
+        <translation>%1에는 제시할 척도와 기울기가 없습니다</translation>
     </message>
     <message>
         <source>%1: the u of its stated scale is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: 제시된 척도의 u가 없습니다</translation>
     </message>
     <message>
         <source>there is no reading in %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1에 읽음값이 없습니다</translation>
     </message>
     <message>
         <source>%1 has points without heights</source>
-        <translation type="unfinished"></translation>
+        <translation>%1에 높이가 없는 점이 있습니다</translation>
     </message>
     <message>
         <source>a coordinate of %1 in a frame: the name of the frame is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>좌표계에서의 %1의 좌표: 좌표계의 이름이 없습니다</translation>
     </message>
     <message>
         <source>%1 has no such coordinate of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1에는 %2의 그런 좌표가 없습니다</translation>
     </message>
     <message>
         <source>a coordinate in %1 needs x and y of %2, which are not part of the network</source>
-        <translation type="unfinished"></translation>
+        <translation>%1에서의 좌표에는 %2의 x와 y가 필요하지만 망에 속하지 않습니다</translation>
     </message>
     <message>
         <source>nothing tells how %1 lies: read more points in it whose places other readings tell, not all on a line</source>
-        <translation type="unfinished"></translation>
+        <translation>%1이(가) 어떻게 놓여 있는지 알 수 없습니다. 다른 읽음값으로 위치를 알 수 있는 점을 그 안에서 더 읽되, 모두 한 직선 위에 있지 않게 하십시오</translation>
     </message>
     <message>
         <source>%1, there and back</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, 왕복</translation>
     </message>
     <message>
         <source>%1, again</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, 반복</translation>
     </message>
     <message>
         <source>angle at %1 from %2 to %3, in two rounds</source>
-        <translation type="unfinished"></translation>
+        <translation>%1에서 %2와 %3 사이의 각도, 두 대회에서</translation>
     </message>
     <message>
         <source>loop of differences of x, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>x의 차의 폐합 루프, %1</translation>
     </message>
     <message>
         <source>loop of differences of y, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>y의 차의 폐합 루프, %1</translation>
     </message>
     <message>
         <source>loop of height differences, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>높이차의 폐합 루프, %1</translation>
     </message>
     <message>
         <source>before the adjustment: %1 closes with %2 %3, %4 times its u</source>
-        <translation type="unfinished"></translation>
+        <translation>조정 전: %1의 폐합차가 %2 %3이며 그 u의 %4배입니다</translation>
     </message>
     <message>
         <source>and %1 more closures are beyond 3.29 times their u</source>
-        <translation type="unfinished"></translation>
+        <translation>그 밖에 폐합차 %1개가 그 u의 3.29배를 넘습니다</translation>
     </message>
     <message>
         <source>Closures before the adjustment</source>
-        <translation type="unfinished"></translation>
+        <translation>조정 전의 폐합</translation>
     </message>
     <message>
         <source>Closure</source>
-        <translation type="unfinished"></translation>
+        <translation>폐합</translation>
     </message>
     <message>
         <source>misclosure</source>
-        <translation type="unfinished"></translation>
+        <translation>폐합차</translation>
     </message>
     <message>
         <source>u of the misclosure</source>
-        <translation type="unfinished"></translation>
+        <translation>폐합차의 u</translation>
     </message>
     <message>
         <source>misclosure over u</source>
-        <translation type="unfinished"></translation>
+        <translation>폐합차를 u로 나눈 값</translation>
     </message>
     <message>
         <source>too large?</source>
-        <translation type="unfinished"></translation>
+        <translation>너무 큼?</translation>
     </message>
     <message>
         <source>%1 closures are beyond 3.29 times their u (0.1 %).</source>
-        <translation type="unfinished"></translation>
+        <translation>폐합차 %1개가 그 u의 3.29배를 넘습니다(0.1 %).</translation>
     </message>
     <message>
         <source>coordinates in frames</source>
-        <translation type="unfinished"></translation>
+        <translation>좌표계에서의 좌표</translation>
     </message>
     <message>
         <source>frame %1</source>
-        <translation type="unfinished"></translation>
+        <translation>좌표계 %1</translation>
     </message>
     <message>
         <source>plane %1</source>
-        <translation type="unfinished"></translation>
+        <translation>평면 %1</translation>
     </message>
     <message>
         <source>line %1</source>
-        <translation type="unfinished"></translation>
+        <translation>직선 %1</translation>
     </message>
     <message>
         <source>station %1</source>
-        <translation type="unfinished"></translation>
+        <translation>스테이션 %1</translation>
     </message>
     <message>
         <source>target %1</source>
-        <translation type="unfinished"></translation>
+        <translation>표적 %1</translation>
     </message>
     <message>
         <source>directions at %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1에서의 방향</translation>
     </message>
     <message>
         <source>directions at %1, round %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1에서의 방향, 대회 %2</translation>
     </message>
     <message>
         <source>Groups of readings</source>
-        <translation type="unfinished"></translation>
+        <translation>읽음값의 그룹</translation>
     </message>
     <message>
         <source>controlled</source>
-        <translation type="unfinished"></translation>
+        <translation>제어됨</translation>
     </message>
     <message>
         <source>sum of squares falls by</source>
-        <translation type="unfinished"></translation>
+        <translation>제곱합의 감소</translation>
     </message>
     <message>
         <source>contradicts the others?</source>
-        <translation type="unfinished"></translation>
+        <translation>다른 것들과 모순됨?</translation>
     </message>
     <message>
         <source>Without the group the sum of squares falls by as much, which is a chi-square of as many degrees of freedom as of its readings the others control; p is its probability.</source>
-        <translation type="unfinished"></translation>
+        <translation>그룹이 없으면 제곱합이 이만큼 줄어듭니다. 이것은 카이제곱이며, 그 자유도는 그룹의 읽음값 중 다른 읽음값이 제어하는 것의 수입니다. p는 그 확률입니다.</translation>
     </message>
     <message>
         <source>%1 groups have p &lt; 0.1 %; where several do, look at the first.</source>
-        <translation type="unfinished"></translation>
+        <translation>그룹 %1개가 p &lt; 0.1 %입니다. 여럿이면 첫째 것을 보십시오.</translation>
     </message>
     <message>
         <source>%1, origin along %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, %2 방향의 원점 위치</translation>
     </message>
     <message>
         <source>%1, offset along its %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, 자체 %2 방향의 오프셋</translation>
     </message>
     <message>
         <source>%1, tilt about its %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, 자체 %2 둘레의 기울기</translation>
     </message>
     <message>
         <source>%1, turn about %2 after a right angle about y</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, y 둘레로 직각만큼 돌린 뒤 %2 둘레의 회전</translation>
     </message>
     <message>
         <source>%1, turn about %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, %2 둘레의 회전</translation>
     </message>
     <message>
         <source>tilt of %1 about %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 기울기, %2 둘레</translation>
     </message>
     <message>
         <source>%1 of %2 in %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%3에서 %2의 %1</translation>
     </message>
     <message>
         <source>frames</source>
-        <translation type="unfinished"></translation>
+        <translation>좌표계</translation>
     </message>
     <message>
         <source>it must be the SHA-256 of the file: 64 hexadecimal digits</source>
-        <translation type="unfinished"></translation>
+        <translation>파일의 SHA-256, 곧 16진수 64자리여야 합니다</translation>
     </message>
     <message>
         <source>its figures would have been valid only before the calibration</source>
-        <translation type="unfinished"></translation>
+        <translation>수치가 교정 전에만 유효했던 것이 됩니다</translation>
     </message>
     <message>
         <source>the symbol of a quantity or the key of a field is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>양의 기호나 필드의 키가 없습니다</translation>
     </message>
     <message>
         <source>a range needs its lowest or its highest value</source>
-        <translation type="unfinished"></translation>
+        <translation>범위에는 최솟값이나 최댓값이 필요합니다</translation>
     </message>
     <message>
         <source>its unit does not fit that of the lowest value</source>
-        <translation type="unfinished"></translation>
+        <translation>단위가 최솟값의 단위와 맞지 않습니다</translation>
     </message>
     <message>
         <source>it is below the lowest value</source>
-        <translation type="unfinished"></translation>
+        <translation>최솟값보다 작습니다</translation>
     </message>
     <message>
         <source>%1 %2</source>
-        <translation type="unfinished">%3년 %2 %1일 {1 %2?}</translation>
+        <translation>%1 %2</translation>
     </message>
     <message>
         <source>%1 %2 of %3</source>
-        <translation type="unfinished">%1 / %3 {1 %2 ?}</translation>
+        <translation>%3의 %1 %2</translation>
     </message>
     <message>
         <source>nothing says which certificate it is: its number is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>어느 성적서인지 알 수 없습니다. 번호가 없습니다</translation>
     </message>
     <message>
         <source>a range of a certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>성적서의 범위</translation>
     </message>
     <message>
         <source>a certificate of figures</source>
-        <translation type="unfinished"></translation>
+        <translation>수치의 성적서</translation>
     </message>
     <message>
         <source>its figures hold for %1 of %2, and here it is %3</source>
-        <translation type="unfinished"></translation>
+        <translation>수치는 %1이(가) %2일 때 유효한데 여기서는 %3입니다</translation>
     </message>
     <message>
         <source>its figures hold for %1 of %2, and nothing here is called so</source>
-        <translation type="unfinished"></translation>
+        <translation>수치는 %1이(가) %2일 때 유효한데 여기에는 그런 이름의 것이 없습니다</translation>
     </message>
     <message>
         <source>applicable</source>
-        <translation type="unfinished"></translation>
+        <translation>적용 가능</translation>
     </message>
     <message>
         <source>not known</source>
-        <translation type="unfinished"></translation>
+        <translation>알 수 없음</translation>
     </message>
     <message>
         <source>outside what it holds for</source>
-        <translation type="unfinished"></translation>
+        <translation>적용 범위를 벗어남</translation>
     </message>
     <message>
         <source>expired</source>
-        <translation type="unfinished"></translation>
+        <translation>유효 기한 지남</translation>
     </message>
     <message>
         <source>until when it is valid is not stated</source>
-        <translation type="unfinished"></translation>
+        <translation>유효 기한이 기재되지 않았습니다</translation>
     </message>
     <message>
         <source>the date of the measurement is not stated</source>
-        <translation type="unfinished"></translation>
+        <translation>측정일이 기재되지 않았습니다</translation>
     </message>
     <message>
         <source>it is of %1, and the measurement of %2 before it</source>
-        <translation type="unfinished"></translation>
+        <translation>날짜가 %1인데 측정일은 그보다 앞선 %2입니다</translation>
     </message>
     <message>
         <source>it was valid until %1, and the measurement is of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1까지 유효했는데 측정일은 %2입니다</translation>
     </message>
     <message>
         <source>%1; %2</source>
-        <translation type="unfinished">%1: %2 {1;?}</translation>
+        <translation>%1; %2</translation>
     </message>
     <message>
         <source>%1: %2: %3</source>
-        <translation type="unfinished">%1, %2: %3 {1:?} {2:?}</translation>
+        <translation>%1: %2: %3</translation>
     </message>
     <message>
         <source>Certificates of the figures</source>
-        <translation type="unfinished"></translation>
+        <translation>수치의 성적서</translation>
     </message>
     <message>
         <source>Figures of</source>
-        <translation type="unfinished"></translation>
+        <translation>수치의 대상</translation>
     </message>
     <message>
         <source>Calibrated</source>
-        <translation type="unfinished"></translation>
+        <translation>교정일</translation>
     </message>
     <message>
         <source>Valid until</source>
-        <translation type="unfinished"></translation>
+        <translation>유효 기한</translation>
     </message>
     <message>
         <source>%1: %2.</source>
-        <translation type="unfinished">%1: %2. {1:?}</translation>
+        <translation>%1: %2.</translation>
     </message>
     <message>
         <source>Of %1 artefacts and instruments %2 have no certificate; their figures are assumed: %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>기준물과 측정기 %1개 중 %2개에 성적서가 없어 그 수치는 가정한 것입니다: %3.</translation>
     </message>
     <message>
         <source>it is no project</source>
-        <translation type="unfinished"></translation>
+        <translation>프로젝트가 아닙니다</translation>
     </message>
     <message>
         <source>it has errors</source>
-        <translation type="unfinished"></translation>
+        <translation>오류가 있습니다</translation>
     </message>
     <message>
         <source>%1, with the old figures: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, 이전 수치로: %2</translation>
     </message>
     <message>
         <source>%1, with the new figures: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, 새 수치로: %2</translation>
     </message>
     <message>
         <source>%1: with the new figures there is no %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: 새 수치로는 %2이(가) 없습니다</translation>
     </message>
     <message>
         <source>there is no folder or file %1</source>
-        <translation type="unfinished"></translation>
+        <translation>폴더나 파일 %1이(가) 없습니다</translation>
     </message>
     <message>
         <source>the folder %1 cannot be read: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>폴더 %1을(를) 읽을 수 없습니다: %2</translation>
     </message>
     <message>
         <source>Results that change, the largest change first</source>
-        <translation type="unfinished"></translation>
+        <translation>바뀌는 결과, 변화가 큰 것부터</translation>
     </message>
     <message>
         <source>File</source>
-        <translation type="unfinished"></translation>
+        <translation>파일</translation>
     </message>
     <message>
         <source>Change in U</source>
-        <translation type="unfinished"></translation>
+        <translation>변화, U 단위</translation>
     </message>
     <message>
         <source>Verdict before</source>
-        <translation type="unfinished"></translation>
+        <translation>이전 판정</translation>
     </message>
     <message>
         <source>Verdict after</source>
-        <translation type="unfinished"></translation>
+        <translation>이후 판정</translation>
     </message>
     <message>
         <source>%1 projects and reports were looked at; %2 use the figures.</source>
-        <translation type="unfinished"></translation>
+        <translation>프로젝트와 보고서 %1개를 살펴보았으며, 그중 %2개가 이 수치를 사용합니다.</translation>
     </message>
     <message>
         <source>Of %1 results %2 change, %3 of them in what is stated; %4 verdicts change.</source>
-        <translation type="unfinished"></translation>
+        <translation>결과 %1개 중 %2개가 바뀌며, 그중 %3개는 기재되는 내용이 바뀝니다. 판정은 %4개가 바뀝니다.</translation>
     </message>
     <message>
         <source>%1 could not be evaluated.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1개를 평가하지 못했습니다.</translation>
     </message>
     <message>
         <source>Impact of new figures</source>
-        <translation type="unfinished"></translation>
+        <translation>새 수치의 영향</translation>
     </message>
     <message>
         <source>Results that rest on a certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>성적서에 근거한 결과</translation>
     </message>
     <message>
         <source>Replaced</source>
-        <translation type="unfinished"></translation>
+        <translation>대체되는 수치</translation>
     </message>
     <message>
         <source>By</source>
-        <translation type="unfinished"></translation>
+        <translation>대체하는 수치</translation>
     </message>
     <message>
         <source>Looked for in</source>
-        <translation type="unfinished"></translation>
+        <translation>찾은 곳</translation>
     </message>
     <message>
         <source>The change of the value is given in units of the expanded uncertainty that was stated.</source>
-        <translation type="unfinished"></translation>
+        <translation>값의 변화는 기재되었던 확장불확도를 단위로 나타냅니다.</translation>
     </message>
     <message>
         <source>Documents to amend</source>
-        <translation type="unfinished"></translation>
+        <translation>수정할 문서</translation>
     </message>
     <message>
         <source>Not evaluated</source>
-        <translation type="unfinished"></translation>
+        <translation>평가하지 않음</translation>
     </message>
     <message>
         <source>the tables of quantities have other units</source>
-        <translation type="unfinished"></translation>
+        <translation>양의 표들의 단위가 서로 다릅니다</translation>
     </message>
     <message>
         <source>the new figures say nothing of the quantity %1</source>
-        <translation type="unfinished"></translation>
+        <translation>새 수치에는 양 %1에 대한 것이 없습니다</translation>
     </message>
     <message>
         <source>none of the quantities of the certificate is stated</source>
-        <translation type="unfinished"></translation>
+        <translation>성적서의 양 가운데 제시된 것이 없습니다</translation>
     </message>
     <message>
         <source>%1 states no quantities in a table</source>
-        <translation type="unfinished"></translation>
+        <translation>%1은(는) 표에 양을 제시하지 않습니다</translation>
     </message>
     <message>
         <source>%1 has nothing with the id %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1에 식별자가 %2인 것이 없습니다</translation>
     </message>
     <message>
         <source>%1 has no new figures for %2: nothing in it is of the same kind</source>
-        <translation type="unfinished"></translation>
+        <translation>%1에 %2의 새 수치가 없습니다. 같은 종류의 것이 없습니다</translation>
     </message>
     <message>
         <source>%1 has several figures that %2 could have: name the one behind &apos;#&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>%1에 %2이(가) 가질 수 있는 수치가 여러 개 있습니다. &apos;#&apos; 뒤에 그중 하나를 지정하십시오</translation>
+    </message>
+    <message>
+        <source>As it stands on the certificate.</source>
+        <translation>성적서에 적힌 그대로.</translation>
+    </message>
+    <message>
+        <source>Edition</source>
+        <translation>판</translation>
+    </message>
+    <message>
+        <source>Of an amended certificate or a data sheet.</source>
+        <translation>수정된 성적서나 사양서의 판.</translation>
+    </message>
+    <message>
+        <source>Issuer</source>
+        <translation>발행처</translation>
+    </message>
+    <message>
+        <source>Laboratory, manufacturer.</source>
+        <translation>교정기관, 제조사.</translation>
+    </message>
+    <message>
+        <source>The last day on which the figures may be used, by your own rule.</source>
+        <translation>자체 규칙에 따라 수치를 사용할 수 있는 마지막 날.</translation>
+    </message>
+    <message>
+        <source>Conditions</source>
+        <translation>조건</translation>
+    </message>
+    <message>
+        <source>What the figures hold for, in words: mode, filter, support.</source>
+        <translation>수치가 유효한 조건을 글로 적음: 모드, 필터, 지지 방식.</translation>
+    </message>
+    <message>
+        <source>Its name.</source>
+        <translation>파일의 이름.</translation>
+    </message>
+    <message>
+        <source>Digest</source>
+        <translation>해시</translation>
+    </message>
+    <message>
+        <source>SHA-256 of the file, 64 hexadecimal digits.</source>
+        <translation>파일의 SHA-256, 16진수 64자리.</translation>
+    </message>
+    <message>
+        <source>certificate</source>
+        <translation>성적서</translation>
+    </message>
+    <message>
+        <source>report</source>
+        <translation>보고서</translation>
+    </message>
+    <message>
+        <source>data sheet</source>
+        <translation>사양서</translation>
     </message>
 </context>
 <context>
@@ -18590,11 +18646,11 @@ sample 1; 2; 3 weights 2; 5; 2 (그대로 뽑음), histogram 0; 1; 2 weights 5; 
     </message>
     <message>
         <source>distr.</source>
-        <translation type="unfinished"></translation>
+        <translation>분포</translation>
     </message>
     <message>
         <source>Distribution that Monte Carlo draws</source>
-        <translation type="unfinished"></translation>
+        <translation>몬테카를로가 추출하는 분포</translation>
     </message>
 </context>
 <context>
@@ -18785,11 +18841,11 @@ sample 1; 2; 3 weights 2; 5; 2 (그대로 뽑음), histogram 0; 1; 2 weights 5; 
     <name>covaria::ui::BudgetFootModel</name>
     <message>
         <source>Out of date: being computed.</source>
-        <translation type="unfinished">갱신 필요: 계산 중입니다.</translation>
+        <translation>갱신 필요: 계산 중입니다.</translation>
     </message>
     <message>
         <source>Combined standard uncertainty by the law of propagation</source>
-        <translation type="unfinished"></translation>
+        <translation>전파 법칙에 의한 합성표준불확도</translation>
     </message>
 </context>
 <context>
@@ -18808,7 +18864,7 @@ sample 1; 2; 3 weights 2; 5; 2 (그대로 뽑음), histogram 0; 1; 2 weights 5; 
     </message>
     <message>
         <source>Result of the budget</source>
-        <translation type="unfinished"></translation>
+        <translation>총괄표의 결과</translation>
     </message>
 </context>
 <context>
@@ -18835,7 +18891,7 @@ sample 1; 2; 3 weights 2; 5; 2 (그대로 뽑음), histogram 0; 1; 2 weights 5; 
     </message>
     <message>
         <source>type, or paste rows</source>
-        <translation type="unfinished"></translation>
+        <translation>입력 또는 행 붙여넣기</translation>
     </message>
 </context>
 <context>
@@ -19904,7 +19960,7 @@ sample 1; 2; 3 weights 2; 5; 2 (그대로 뽑음), histogram 0; 1; 2 weights 5; 
     </message>
     <message>
         <source>Change the requirements for %1 results</source>
-        <translation type="unfinished"></translation>
+        <translation>결과 %1개의 요구사항 변경</translation>
     </message>
 </context>
 <context>
@@ -20112,71 +20168,79 @@ It says “not stated” in these places. They are fields of the project&apos;s 
     <name>covaria::ui::FigureSourcesForm</name>
     <message>
         <source>certificate %1, not named yet</source>
-        <translation type="unfinished"></translation>
+        <translation>성적서 %1, 아직 이름 없음</translation>
     </message>
     <message>
         <source>Applicable in %1 analyses.</source>
-        <translation type="unfinished"></translation>
+        <translation>분석 %1개에서 적용 가능.</translation>
     </message>
     <message>
         <source>No analysis uses these figures.</source>
-        <translation type="unfinished"></translation>
+        <translation>이 수치를 사용하는 분석이 없습니다.</translation>
     </message>
     <message>
         <source>Change the date of the measurement</source>
-        <translation type="unfinished"></translation>
+        <translation>측정일 변경</translation>
     </message>
     <message>
         <source>Certificate of the figures</source>
-        <translation type="unfinished"></translation>
+        <translation>수치의 성적서</translation>
     </message>
     <message>
         <source>Adds a certificate that figures come from</source>
-        <translation type="unfinished"></translation>
+        <translation>수치가 나온 성적서를 추가합니다</translation>
     </message>
     <message>
         <source>Removes this certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>이 성적서를 제거합니다</translation>
     </message>
     <message>
         <source>Takes name and digest of the certificate&apos;s file</source>
-        <translation type="unfinished"></translation>
+        <translation>성적서 파일의 이름과 해시를 가져옵니다</translation>
     </message>
     <message>
         <source>Kind</source>
-        <translation type="unfinished">종류</translation>
+        <translation>종류</translation>
     </message>
     <message>
         <source>Change the kind of a certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>성적서의 종류 변경</translation>
     </message>
     <message>
         <source>Change %1</source>
-        <translation type="unfinished">%1 변경</translation>
+        <translation>%1 변경</translation>
     </message>
     <message>
         <source>Add a certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>성적서 추가</translation>
     </message>
     <message>
         <source>Remove a certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>성적서 제거</translation>
     </message>
     <message>
         <source>File of the Certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>성적서 파일</translation>
     </message>
     <message>
         <source>Take the file of a certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>성적서 파일 가져오기</translation>
     </message>
     <message>
         <source>These figures are assumed: no certificate states them.</source>
-        <translation type="unfinished"></translation>
+        <translation>이 수치는 가정한 것입니다. 이를 제시하는 성적서가 없습니다.</translation>
     </message>
     <message>
         <source>No certificate states the figures of this set-up.</source>
-        <translation type="unfinished"></translation>
+        <translation>이 측정 구성의 수치를 제시하는 성적서가 없습니다.</translation>
+    </message>
+    <message>
+        <source>Date of the measurement</source>
+        <translation>측정일</translation>
+    </message>
+    <message>
+        <source>A date, or two of an interval; empty: that of the project&apos;s certificate.</source>
+        <translation>날짜 하나, 또는 기간의 두 날짜. 비어 있으면 프로젝트 성적서의 것.</translation>
     </message>
 </context>
 <context>
@@ -20342,7 +20406,7 @@ It says “not stated” in these places. They are fields of the project&apos;s 
     <name>covaria::ui::FoldGroups</name>
     <message>
         <source>none</source>
-        <translation type="unfinished">없음</translation>
+        <translation>없음</translation>
     </message>
 </context>
 <context>
@@ -20683,7 +20747,7 @@ It says “not stated” in these places. They are fields of the project&apos;s 
     </message>
     <message>
         <source>Notes on the quantity</source>
-        <translation type="unfinished">양에 대한 메모</translation>
+        <translation>양에 대한 메모</translation>
     </message>
 </context>
 <context>
@@ -20717,7 +20781,7 @@ It says “not stated” in these places. They are fields of the project&apos;s 
     </message>
     <message>
         <source>Properties</source>
-        <translation type="unfinished">속성</translation>
+        <translation>속성</translation>
     </message>
     <message>
         <source>Project and documents</source>
@@ -20985,11 +21049,11 @@ Chosen: %2</source>
     </message>
     <message>
         <source>Run</source>
-        <translation type="unfinished">실행</translation>
+        <translation>실행</translation>
     </message>
     <message>
         <source>Document</source>
-        <translation type="unfinished">문서</translation>
+        <translation>문서</translation>
     </message>
 </context>
 <context>
@@ -21120,11 +21184,11 @@ Chosen: %2</source>
     </message>
     <message>
         <source>Require…</source>
-        <translation type="unfinished"></translation>
+        <translation>요구사항…</translation>
     </message>
     <message>
         <source>Target uncertainty and limits of the results that are selected</source>
-        <translation type="unfinished"></translation>
+        <translation>선택한 결과의 목표불확도와 한계</translation>
     </message>
 </context>
 <context>
@@ -21616,7 +21680,7 @@ It is used by: %1. They will have an error until they use something else.</sourc
     </message>
     <message>
         <source>Add an analysis or what it uses</source>
-        <translation type="unfinished">분석이나 분석에 쓰이는 것을 추가합니다</translation>
+        <translation>분석이나 분석에 쓰이는 것을 추가합니다</translation>
     </message>
 </context>
 <context>
@@ -21742,7 +21806,7 @@ It is used by: %1. They will have an error until they use something else.</sourc
     </message>
     <message>
         <source>Certificates</source>
-        <translation type="unfinished"></translation>
+        <translation>성적서</translation>
     </message>
 </context>
 <context>
@@ -21912,7 +21976,7 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <name>covaria::ui::RequirementDialog</name>
     <message>
         <source>Require of Results</source>
-        <translation type="unfinished"></translation>
+        <translation>결과의 요구사항</translation>
     </message>
 </context>
 <context>
@@ -22436,7 +22500,7 @@ It is used by: %1. They will have an error until they use something else.</sourc
     </message>
     <message>
         <source>group</source>
-        <translation type="unfinished">그룹</translation>
+        <translation>그룹</translation>
     </message>
 </context>
 <context>
@@ -22517,7 +22581,7 @@ It is used by: %1. They will have an error until they use something else.</sourc
     </message>
     <message>
         <source>Go to Source</source>
-        <translation type="unfinished">출처로 이동</translation>
+        <translation>출처로 이동</translation>
     </message>
 </context>
 <context>
@@ -23146,7 +23210,7 @@ It is used by: %1. They will have an error until they use something else.</sourc
     </message>
     <message>
         <source>Fill down</source>
-        <translation type="unfinished">아래로 채우기</translation>
+        <translation>아래로 채우기</translation>
     </message>
 </context>
 <context>

@@ -16878,7 +16878,7 @@ nu 18 atrás de qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>column &apos;%1&apos; of &apos;%2&apos; is %3; its unit is missing: write &quot;%4 [%5]&quot;</source>
-        <translation type="unfinished">a coluna &apos;%1&apos; de &apos;%2&apos; é %3; falta sua unidade: escreva &quot;%1 [%4]&quot; {1&apos;?} {2&apos;?} {3;?} {4 ?} {5]?}</translation>
+        <translation>a coluna &apos;%1&apos; de &apos;%2&apos; é %3; falta sua unidade: escreva &quot;%4 [%5]&quot;</translation>
     </message>
     <message>
         <source>column &apos;%1&apos; of &apos;%2&apos; is a difference of temperatures: give it in %3, not in %4</source>
@@ -17586,491 +17586,547 @@ nu 18 atrás de qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>deviation of the barycentre of %1, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>desvio do baricentro de %1, %2</translation>
     </message>
     <message>
         <source>x in a frame</source>
-        <translation type="unfinished"></translation>
+        <translation>x em um referencial</translation>
     </message>
     <message>
         <source>y in a frame</source>
-        <translation type="unfinished"></translation>
+        <translation>y em um referencial</translation>
     </message>
     <message>
         <source>z in a frame</source>
-        <translation type="unfinished"></translation>
+        <translation>z em um referencial</translation>
     </message>
     <message>
         <source>frame</source>
-        <translation type="unfinished"></translation>
+        <translation>referencial</translation>
     </message>
     <message>
         <source>Of a coordinate in a frame: the name of the frame, whose pose the readings tell: that of an arm, a scanner, a photogrammetric network.</source>
-        <translation type="unfinished"></translation>
+        <translation>De uma coordenada em um referencial: o nome do referencial, cuja pose as leituras determinam: o de um braço, de um scanner, de uma rede fotogramétrica.</translation>
     </message>
     <message>
         <source>Frames, planes and lines</source>
-        <translation type="unfinished"></translation>
+        <translation>Referenciais, planos e retas</translation>
     </message>
     <message>
         <source>Frames that readings name, where more is known of them than that their pose is unknown, and planes and lines on which points are.</source>
-        <translation type="unfinished"></translation>
+        <translation>Referenciais que as leituras nomeiam e dos quais se sabe mais do que ser desconhecida sua pose, e planos e retas em que estão pontos.</translation>
     </message>
     <message>
         <source>Name of the frame, as in the column of the readings.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nome do referencial, como na coluna das leituras.</translation>
     </message>
     <message>
         <source>An own frame with all of its axes; or a plane, from which points are as far as their z in it says; or a line along its x-axis, from which their y and z say how far they are.</source>
-        <translation type="unfinished"></translation>
+        <translation>Um referencial próprio com todos os seus eixos; ou um plano, do qual os pontos distam o que diz seu z nele; ou uma reta ao longo de seu eixo x, da qual seus y e z dizem quanto distam.</translation>
     </message>
     <message>
         <source>own frame</source>
-        <translation type="unfinished"></translation>
+        <translation>referencial próprio</translation>
     </message>
     <message>
         <source>Scale of an own frame: fixed; unknown, so that the readings tell it; stated with u.</source>
-        <translation type="unfinished"></translation>
+        <translation>Escala de um referencial próprio: fixa; incógnita, de modo que as leituras a determinam; declarada com u.</translation>
     </message>
     <message>
         <source>scale beyond 1</source>
-        <translation type="unfinished"></translation>
+        <translation>escala além de 1</translation>
     </message>
     <message>
         <source>By how much coordinates in the frame are too long; 0 where it is empty.</source>
-        <translation type="unfinished"></translation>
+        <translation>Quanto as coordenadas no referencial são longas demais; 0 onde está vazio.</translation>
     </message>
     <message>
         <source>u of scale</source>
-        <translation type="unfinished"></translation>
+        <translation>u da escala</translation>
     </message>
     <message>
         <source>Standard uncertainty of a stated scale.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incerteza-padrão de uma escala declarada.</translation>
     </message>
     <message>
         <source>Of an own frame whose z-axis is vertical: within that standard uncertainty about x and about y; empty: nothing is known of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>De um referencial próprio cujo eixo z é vertical: dentro dessa incerteza-padrão em torno de x e em torno de y; vazio: nada se sabe a respeito.</translation>
     </message>
     <message>
         <source>two frames are called %1</source>
-        <translation type="unfinished"></translation>
+        <translation>dois referenciais chamam-se %1</translation>
     </message>
     <message>
         <source>%1 has no scale and no tilt to state</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 não tem escala nem inclinação a declarar</translation>
     </message>
     <message>
         <source>%1: the u of its stated scale is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: falta a u de sua escala declarada</translation>
     </message>
     <message>
         <source>there is no reading in %1</source>
-        <translation type="unfinished"></translation>
+        <translation>não há leitura em %1</translation>
     </message>
     <message>
         <source>%1 has points without heights</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 tem pontos sem altura</translation>
     </message>
     <message>
         <source>a coordinate of %1 in a frame: the name of the frame is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>uma coordenada de %1 em um referencial: falta o nome do referencial</translation>
     </message>
     <message>
         <source>%1 has no such coordinate of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 não tem tal coordenada de %2</translation>
     </message>
     <message>
         <source>a coordinate in %1 needs x and y of %2, which are not part of the network</source>
-        <translation type="unfinished"></translation>
+        <translation>uma coordenada em %1 precisa de x e y de %2, que não fazem parte da rede</translation>
     </message>
     <message>
         <source>nothing tells how %1 lies: read more points in it whose places other readings tell, not all on a line</source>
-        <translation type="unfinished"></translation>
+        <translation>nada diz como está %1: leia nele mais pontos cujos lugares outras leituras determinem, não todos em uma reta</translation>
     </message>
     <message>
         <source>%1, there and back</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, ida e volta</translation>
     </message>
     <message>
         <source>%1, again</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, de novo</translation>
     </message>
     <message>
         <source>angle at %1 from %2 to %3, in two rounds</source>
-        <translation type="unfinished"></translation>
+        <translation>ângulo em %1 de %2 a %3, em duas séries</translation>
     </message>
     <message>
         <source>loop of differences of x, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>circuito de diferenças de x, %1</translation>
     </message>
     <message>
         <source>loop of differences of y, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>circuito de diferenças de y, %1</translation>
     </message>
     <message>
         <source>loop of height differences, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>circuito de desníveis, %1</translation>
     </message>
     <message>
         <source>before the adjustment: %1 closes with %2 %3, %4 times its u</source>
-        <translation type="unfinished"></translation>
+        <translation>antes do ajustamento: %1 fecha com %2 %3, %4 vezes sua u</translation>
     </message>
     <message>
         <source>and %1 more closures are beyond 3.29 times their u</source>
-        <translation type="unfinished"></translation>
+        <translation>e mais %1 fechamentos estão além de 3.29 vezes sua u</translation>
     </message>
     <message>
         <source>Closures before the adjustment</source>
-        <translation type="unfinished"></translation>
+        <translation>Fechamentos antes do ajustamento</translation>
     </message>
     <message>
         <source>Closure</source>
-        <translation type="unfinished"></translation>
+        <translation>Fechamento</translation>
     </message>
     <message>
         <source>misclosure</source>
-        <translation type="unfinished"></translation>
+        <translation>erro de fechamento</translation>
     </message>
     <message>
         <source>u of the misclosure</source>
-        <translation type="unfinished"></translation>
+        <translation>u do erro de fechamento</translation>
     </message>
     <message>
         <source>misclosure over u</source>
-        <translation type="unfinished"></translation>
+        <translation>erro de fechamento sobre u</translation>
     </message>
     <message>
         <source>too large?</source>
-        <translation type="unfinished"></translation>
+        <translation>grande demais?</translation>
     </message>
     <message>
         <source>%1 closures are beyond 3.29 times their u (0.1 %).</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 fechamentos estão além de 3.29 vezes sua u (0.1 %).</translation>
     </message>
     <message>
         <source>coordinates in frames</source>
-        <translation type="unfinished"></translation>
+        <translation>coordenadas em referenciais</translation>
     </message>
     <message>
         <source>frame %1</source>
-        <translation type="unfinished"></translation>
+        <translation>referencial %1</translation>
     </message>
     <message>
         <source>plane %1</source>
-        <translation type="unfinished"></translation>
+        <translation>plano %1</translation>
     </message>
     <message>
         <source>line %1</source>
-        <translation type="unfinished"></translation>
+        <translation>reta %1</translation>
     </message>
     <message>
         <source>station %1</source>
-        <translation type="unfinished"></translation>
+        <translation>estação %1</translation>
     </message>
     <message>
         <source>target %1</source>
-        <translation type="unfinished"></translation>
+        <translation>alvo %1</translation>
     </message>
     <message>
         <source>directions at %1</source>
-        <translation type="unfinished"></translation>
+        <translation>direções em %1</translation>
     </message>
     <message>
         <source>directions at %1, round %2</source>
-        <translation type="unfinished"></translation>
+        <translation>direções em %1, série %2</translation>
     </message>
     <message>
         <source>Groups of readings</source>
-        <translation type="unfinished"></translation>
+        <translation>Grupos de leituras</translation>
     </message>
     <message>
         <source>controlled</source>
-        <translation type="unfinished"></translation>
+        <translation>controladas</translation>
     </message>
     <message>
         <source>sum of squares falls by</source>
-        <translation type="unfinished"></translation>
+        <translation>a soma de quadrados cai em</translation>
     </message>
     <message>
         <source>contradicts the others?</source>
-        <translation type="unfinished"></translation>
+        <translation>contradiz as outras?</translation>
     </message>
     <message>
         <source>Without the group the sum of squares falls by as much, which is a chi-square of as many degrees of freedom as of its readings the others control; p is its probability.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sem o grupo a soma de quadrados cai nesse valor, que é um qui-quadrado com tantos graus de liberdade quantas leituras do grupo as outras controlam; p é sua probabilidade.</translation>
     </message>
     <message>
         <source>%1 groups have p &lt; 0.1 %; where several do, look at the first.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 grupos têm p &lt; 0.1 %; se forem vários, veja primeiro o primeiro.</translation>
     </message>
     <message>
         <source>%1, origin along %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, origem ao longo de %2</translation>
     </message>
     <message>
         <source>%1, offset along its %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, deslocamento ao longo de seu %2</translation>
     </message>
     <message>
         <source>%1, tilt about its %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, inclinação em torno de seu %2</translation>
     </message>
     <message>
         <source>%1, turn about %2 after a right angle about y</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, giro em torno de %2 após um ângulo reto em torno de y</translation>
     </message>
     <message>
         <source>%1, turn about %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, giro em torno de %2</translation>
     </message>
     <message>
         <source>tilt of %1 about %2</source>
-        <translation type="unfinished"></translation>
+        <translation>inclinação de %1 em torno de %2</translation>
     </message>
     <message>
         <source>%1 of %2 in %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 de %2 em %3</translation>
     </message>
     <message>
         <source>frames</source>
-        <translation type="unfinished"></translation>
+        <translation>referenciais</translation>
     </message>
     <message>
         <source>it must be the SHA-256 of the file: 64 hexadecimal digits</source>
-        <translation type="unfinished"></translation>
+        <translation>deve ser o SHA-256 do arquivo: 64 algarismos hexadecimais</translation>
     </message>
     <message>
         <source>its figures would have been valid only before the calibration</source>
-        <translation type="unfinished"></translation>
+        <translation>seus números só teriam sido válidos antes da calibração</translation>
     </message>
     <message>
         <source>the symbol of a quantity or the key of a field is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>falta o símbolo de uma grandeza ou a chave de um campo</translation>
     </message>
     <message>
         <source>a range needs its lowest or its highest value</source>
-        <translation type="unfinished"></translation>
+        <translation>uma faixa precisa de seu menor ou de seu maior valor</translation>
     </message>
     <message>
         <source>its unit does not fit that of the lowest value</source>
-        <translation type="unfinished"></translation>
+        <translation>sua unidade não é compatível com a do menor valor</translation>
     </message>
     <message>
         <source>it is below the lowest value</source>
-        <translation type="unfinished"></translation>
+        <translation>está abaixo do menor valor</translation>
     </message>
     <message>
         <source>%1 %2</source>
-        <translation type="unfinished">%1 de %2 de %3 {1 %2?}</translation>
+        <translation>%1 %2</translation>
     </message>
     <message>
         <source>%1 %2 of %3</source>
-        <translation type="unfinished">%1 de %3 {1 %2 ?}</translation>
+        <translation>%1 %2 de %3</translation>
     </message>
     <message>
         <source>nothing says which certificate it is: its number is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>nada diz qual certificado é: falta seu número</translation>
     </message>
     <message>
         <source>a range of a certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>uma faixa de um certificado</translation>
     </message>
     <message>
         <source>a certificate of figures</source>
-        <translation type="unfinished"></translation>
+        <translation>um certificado de números</translation>
     </message>
     <message>
         <source>its figures hold for %1 of %2, and here it is %3</source>
-        <translation type="unfinished"></translation>
+        <translation>seus números valem para %1 de %2, e aqui é %3</translation>
     </message>
     <message>
         <source>its figures hold for %1 of %2, and nothing here is called so</source>
-        <translation type="unfinished"></translation>
+        <translation>seus números valem para %1 de %2, e aqui nada tem esse nome</translation>
     </message>
     <message>
         <source>applicable</source>
-        <translation type="unfinished"></translation>
+        <translation>aplicável</translation>
     </message>
     <message>
         <source>not known</source>
-        <translation type="unfinished"></translation>
+        <translation>não se sabe</translation>
     </message>
     <message>
         <source>outside what it holds for</source>
-        <translation type="unfinished"></translation>
+        <translation>fora daquilo para que vale</translation>
     </message>
     <message>
         <source>expired</source>
-        <translation type="unfinished"></translation>
+        <translation>vencido</translation>
     </message>
     <message>
         <source>until when it is valid is not stated</source>
-        <translation type="unfinished"></translation>
+        <translation>não está declarado até quando é válido</translation>
     </message>
     <message>
         <source>the date of the measurement is not stated</source>
-        <translation type="unfinished"></translation>
+        <translation>a data da medição não está declarada</translation>
     </message>
     <message>
         <source>it is of %1, and the measurement of %2 before it</source>
-        <translation type="unfinished"></translation>
+        <translation>é de %1, e a medição de %2 é anterior</translation>
     </message>
     <message>
         <source>it was valid until %1, and the measurement is of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>era válido até %1, e a medição é de %2</translation>
     </message>
     <message>
         <source>%1; %2</source>
-        <translation type="unfinished">%1: %2 {1;?}</translation>
+        <translation>%1; %2</translation>
     </message>
     <message>
         <source>%1: %2: %3</source>
-        <translation type="unfinished">%1, %2: %3 {1:?} {2:?}</translation>
+        <translation>%1: %2: %3</translation>
     </message>
     <message>
         <source>Certificates of the figures</source>
-        <translation type="unfinished"></translation>
+        <translation>Certificados dos números</translation>
     </message>
     <message>
         <source>Figures of</source>
-        <translation type="unfinished"></translation>
+        <translation>Números de</translation>
     </message>
     <message>
         <source>Calibrated</source>
-        <translation type="unfinished"></translation>
+        <translation>Calibrado</translation>
     </message>
     <message>
         <source>Valid until</source>
-        <translation type="unfinished"></translation>
+        <translation>Válido até</translation>
     </message>
     <message>
         <source>%1: %2.</source>
-        <translation type="unfinished">%1: %2. {1:?}</translation>
+        <translation>%1: %2.</translation>
     </message>
     <message>
         <source>Of %1 artefacts and instruments %2 have no certificate; their figures are assumed: %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>De %1 artefatos e instrumentos, %2 não têm certificado; seus números são supostos: %3.</translation>
     </message>
     <message>
         <source>it is no project</source>
-        <translation type="unfinished"></translation>
+        <translation>não é um projeto</translation>
     </message>
     <message>
         <source>it has errors</source>
-        <translation type="unfinished"></translation>
+        <translation>tem erros</translation>
     </message>
     <message>
         <source>%1, with the old figures: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, com os números antigos: %2</translation>
     </message>
     <message>
         <source>%1, with the new figures: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, com os números novos: %2</translation>
     </message>
     <message>
         <source>%1: with the new figures there is no %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: com os números novos não há %2</translation>
     </message>
     <message>
         <source>there is no folder or file %1</source>
-        <translation type="unfinished"></translation>
+        <translation>não há pasta nem arquivo %1</translation>
     </message>
     <message>
         <source>the folder %1 cannot be read: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>a pasta %1 não pode ser lida: %2</translation>
     </message>
     <message>
         <source>Results that change, the largest change first</source>
-        <translation type="unfinished"></translation>
+        <translation>Resultados que mudam, a maior mudança primeiro</translation>
     </message>
     <message>
         <source>File</source>
-        <translation type="unfinished"></translation>
+        <translation>Arquivo</translation>
     </message>
     <message>
         <source>Change in U</source>
-        <translation type="unfinished"></translation>
+        <translation>Variação em U</translation>
     </message>
     <message>
         <source>Verdict before</source>
-        <translation type="unfinished"></translation>
+        <translation>Veredito antes</translation>
     </message>
     <message>
         <source>Verdict after</source>
-        <translation type="unfinished"></translation>
+        <translation>Veredito depois</translation>
     </message>
     <message>
         <source>%1 projects and reports were looked at; %2 use the figures.</source>
-        <translation type="unfinished"></translation>
+        <translation>Foram examinados %1 projetos e relatórios; %2 usam os números.</translation>
     </message>
     <message>
         <source>Of %1 results %2 change, %3 of them in what is stated; %4 verdicts change.</source>
-        <translation type="unfinished"></translation>
+        <translation>De %1 resultados mudam %2, %3 deles no que é declarado; mudam %4 vereditos.</translation>
     </message>
     <message>
         <source>%1 could not be evaluated.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 não puderam ser avaliados.</translation>
     </message>
     <message>
         <source>Impact of new figures</source>
-        <translation type="unfinished"></translation>
+        <translation>Impacto de números novos</translation>
     </message>
     <message>
         <source>Results that rest on a certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>Resultados que se apoiam em um certificado</translation>
     </message>
     <message>
         <source>Replaced</source>
-        <translation type="unfinished"></translation>
+        <translation>Substituído</translation>
     </message>
     <message>
         <source>By</source>
-        <translation type="unfinished"></translation>
+        <translation>Por</translation>
     </message>
     <message>
         <source>Looked for in</source>
-        <translation type="unfinished"></translation>
+        <translation>Procurado em</translation>
     </message>
     <message>
         <source>The change of the value is given in units of the expanded uncertainty that was stated.</source>
-        <translation type="unfinished"></translation>
+        <translation>A variação do valor é dada em unidades da incerteza expandida que foi declarada.</translation>
     </message>
     <message>
         <source>Documents to amend</source>
-        <translation type="unfinished"></translation>
+        <translation>Documentos a emendar</translation>
     </message>
     <message>
         <source>Not evaluated</source>
-        <translation type="unfinished"></translation>
+        <translation>Não avaliado</translation>
     </message>
     <message>
         <source>the tables of quantities have other units</source>
-        <translation type="unfinished"></translation>
+        <translation>as tabelas de grandezas têm outras unidades</translation>
     </message>
     <message>
         <source>the new figures say nothing of the quantity %1</source>
-        <translation type="unfinished"></translation>
+        <translation>os números novos nada dizem da grandeza %1</translation>
     </message>
     <message>
         <source>none of the quantities of the certificate is stated</source>
-        <translation type="unfinished"></translation>
+        <translation>nenhuma das grandezas do certificado está declarada</translation>
     </message>
     <message>
         <source>%1 states no quantities in a table</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 não declara grandezas em uma tabela</translation>
     </message>
     <message>
         <source>%1 has nothing with the id %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 não tem nada com o id %2</translation>
     </message>
     <message>
         <source>%1 has no new figures for %2: nothing in it is of the same kind</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 não tem números novos para %2: nada nele é da mesma espécie</translation>
     </message>
     <message>
         <source>%1 has several figures that %2 could have: name the one behind &apos;#&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 tem vários números que %2 poderia ter: nomeie o certo depois de &apos;#&apos;</translation>
+    </message>
+    <message>
+        <source>As it stands on the certificate.</source>
+        <translation>Como está no certificado.</translation>
+    </message>
+    <message>
+        <source>Edition</source>
+        <translation>Edição</translation>
+    </message>
+    <message>
+        <source>Of an amended certificate or a data sheet.</source>
+        <translation>De um certificado emendado ou de uma folha de dados.</translation>
+    </message>
+    <message>
+        <source>Issuer</source>
+        <translation>Emissor</translation>
+    </message>
+    <message>
+        <source>Laboratory, manufacturer.</source>
+        <translation>Laboratório, fabricante.</translation>
+    </message>
+    <message>
+        <source>The last day on which the figures may be used, by your own rule.</source>
+        <translation>O último dia em que os números podem ser usados, segundo sua própria regra.</translation>
+    </message>
+    <message>
+        <source>Conditions</source>
+        <translation>Condições</translation>
+    </message>
+    <message>
+        <source>What the figures hold for, in words: mode, filter, support.</source>
+        <translation>Para que valem os números, em palavras: modo, filtro, apoio.</translation>
+    </message>
+    <message>
+        <source>Its name.</source>
+        <translation>Seu nome.</translation>
+    </message>
+    <message>
+        <source>Digest</source>
+        <translation>Hash</translation>
+    </message>
+    <message>
+        <source>SHA-256 of the file, 64 hexadecimal digits.</source>
+        <translation>SHA-256 do arquivo, 64 algarismos hexadecimais.</translation>
+    </message>
+    <message>
+        <source>certificate</source>
+        <translation>certificado</translation>
+    </message>
+    <message>
+        <source>report</source>
+        <translation>relatório</translation>
+    </message>
+    <message>
+        <source>data sheet</source>
+        <translation>folha de dados</translation>
     </message>
 </context>
 <context>
@@ -18591,11 +18647,11 @@ nu 18 atrás de qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>distr.</source>
-        <translation type="unfinished"></translation>
+        <translation>distr.</translation>
     </message>
     <message>
         <source>Distribution that Monte Carlo draws</source>
-        <translation type="unfinished"></translation>
+        <translation>Distribuição de que Monte Carlo sorteia</translation>
     </message>
 </context>
 <context>
@@ -18786,11 +18842,11 @@ nu 18 atrás de qualquer um deles: graus de liberdade</translation>
     <name>covaria::ui::BudgetFootModel</name>
     <message>
         <source>Out of date: being computed.</source>
-        <translation type="unfinished">Desatualizado: em cálculo.</translation>
+        <translation>Desatualizado: em cálculo.</translation>
     </message>
     <message>
         <source>Combined standard uncertainty by the law of propagation</source>
-        <translation type="unfinished"></translation>
+        <translation>Incerteza-padrão combinada pela lei de propagação</translation>
     </message>
 </context>
 <context>
@@ -18809,7 +18865,7 @@ nu 18 atrás de qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>Result of the budget</source>
-        <translation type="unfinished"></translation>
+        <translation>Resultado do balanço</translation>
     </message>
 </context>
 <context>
@@ -18836,7 +18892,7 @@ nu 18 atrás de qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>type, or paste rows</source>
-        <translation type="unfinished"></translation>
+        <translation>digite ou cole linhas</translation>
     </message>
 </context>
 <context>
@@ -18917,7 +18973,7 @@ nu 18 atrás de qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>%1 of %2</source>
-        <translation type="unfinished">%1 de %2</translation>
+        <translation>%1 de %2</translation>
     </message>
 </context>
 <context>
@@ -19907,7 +19963,7 @@ nu 18 atrás de qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>Change the requirements for %1 results</source>
-        <translation type="unfinished"></translation>
+        <translation>Alterar os requisitos para %1 resultados</translation>
     </message>
 </context>
 <context>
@@ -20115,71 +20171,79 @@ Nesses lugares ele diz “não declarado”. São campos da página do projeto.<
     <name>covaria::ui::FigureSourcesForm</name>
     <message>
         <source>certificate %1, not named yet</source>
-        <translation type="unfinished"></translation>
+        <translation>certificado %1, ainda sem nome</translation>
     </message>
     <message>
         <source>Applicable in %1 analyses.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aplicável em %1 análises.</translation>
     </message>
     <message>
         <source>No analysis uses these figures.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nenhuma análise usa estes números.</translation>
     </message>
     <message>
         <source>Change the date of the measurement</source>
-        <translation type="unfinished"></translation>
+        <translation>Alterar a data da medição</translation>
     </message>
     <message>
         <source>Certificate of the figures</source>
-        <translation type="unfinished"></translation>
+        <translation>Certificado dos números</translation>
     </message>
     <message>
         <source>Adds a certificate that figures come from</source>
-        <translation type="unfinished"></translation>
+        <translation>Adiciona um certificado de que vêm números</translation>
     </message>
     <message>
         <source>Removes this certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>Remove este certificado</translation>
     </message>
     <message>
         <source>Takes name and digest of the certificate&apos;s file</source>
-        <translation type="unfinished"></translation>
+        <translation>Toma o nome e o hash do arquivo do certificado</translation>
     </message>
     <message>
         <source>Kind</source>
-        <translation type="unfinished">Tipo</translation>
+        <translation>Tipo</translation>
     </message>
     <message>
         <source>Change the kind of a certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>Alterar a espécie de um certificado</translation>
     </message>
     <message>
         <source>Change %1</source>
-        <translation type="unfinished">Alterar %1</translation>
+        <translation>Alterar %1</translation>
     </message>
     <message>
         <source>Add a certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>Adicionar um certificado</translation>
     </message>
     <message>
         <source>Remove a certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>Remover um certificado</translation>
     </message>
     <message>
         <source>File of the Certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>Arquivo do certificado</translation>
     </message>
     <message>
         <source>Take the file of a certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>Tomar o arquivo de um certificado</translation>
     </message>
     <message>
         <source>These figures are assumed: no certificate states them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Estes números são supostos: nenhum certificado os declara.</translation>
     </message>
     <message>
         <source>No certificate states the figures of this set-up.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nenhum certificado declara os números desta configuração.</translation>
+    </message>
+    <message>
+        <source>Date of the measurement</source>
+        <translation>Data da medição</translation>
+    </message>
+    <message>
+        <source>A date, or two of an interval; empty: that of the project&apos;s certificate.</source>
+        <translation>Uma data, ou as duas de um intervalo; vazio: a do certificado do projeto.</translation>
     </message>
 </context>
 <context>
@@ -20346,7 +20410,7 @@ Nesses lugares ele diz “não declarado”. São campos da página do projeto.<
     <name>covaria::ui::FoldGroups</name>
     <message>
         <source>none</source>
-        <translation type="unfinished">nenhum</translation>
+        <translation>nenhum</translation>
     </message>
 </context>
 <context>
@@ -20687,7 +20751,7 @@ Nesses lugares ele diz “não declarado”. São campos da página do projeto.<
     </message>
     <message>
         <source>Notes on the quantity</source>
-        <translation type="unfinished">Notas sobre a grandeza</translation>
+        <translation>Notas sobre a grandeza</translation>
     </message>
 </context>
 <context>
@@ -20721,7 +20785,7 @@ Nesses lugares ele diz “não declarado”. São campos da página do projeto.<
     </message>
     <message>
         <source>Properties</source>
-        <translation type="unfinished">Propriedades</translation>
+        <translation>Propriedades</translation>
     </message>
     <message>
         <source>Project and documents</source>
@@ -20989,11 +21053,11 @@ Escolhido: %2</translation>
     </message>
     <message>
         <source>Run</source>
-        <translation type="unfinished">Executar</translation>
+        <translation>Executar</translation>
     </message>
     <message>
         <source>Document</source>
-        <translation type="unfinished">Documento</translation>
+        <translation>Documento</translation>
     </message>
 </context>
 <context>
@@ -21124,11 +21188,11 @@ Escolhido: %2</translation>
     </message>
     <message>
         <source>Require…</source>
-        <translation type="unfinished"></translation>
+        <translation>Exigir…</translation>
     </message>
     <message>
         <source>Target uncertainty and limits of the results that are selected</source>
-        <translation type="unfinished"></translation>
+        <translation>Incerteza-alvo e limites dos resultados selecionados</translation>
     </message>
 </context>
 <context>
@@ -21620,7 +21684,7 @@ It is used by: %1. They will have an error until they use something else.</sourc
     </message>
     <message>
         <source>Add an analysis or what it uses</source>
-        <translation type="unfinished">Adicionar uma análise ou o que ela usa</translation>
+        <translation>Adicionar uma análise ou o que ela usa</translation>
     </message>
 </context>
 <context>
@@ -21746,7 +21810,7 @@ It is used by: %1. They will have an error until they use something else.</sourc
     </message>
     <message>
         <source>Certificates</source>
-        <translation type="unfinished"></translation>
+        <translation>Certificados</translation>
     </message>
 </context>
 <context>
@@ -21916,7 +21980,7 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <name>covaria::ui::RequirementDialog</name>
     <message>
         <source>Require of Results</source>
-        <translation type="unfinished"></translation>
+        <translation>Exigir dos resultados</translation>
     </message>
 </context>
 <context>
@@ -22440,7 +22504,7 @@ It is used by: %1. They will have an error until they use something else.</sourc
     </message>
     <message>
         <source>group</source>
-        <translation type="unfinished">grupo</translation>
+        <translation>grupo</translation>
     </message>
 </context>
 <context>
@@ -22521,7 +22585,7 @@ It is used by: %1. They will have an error until they use something else.</sourc
     </message>
     <message>
         <source>Go to Source</source>
-        <translation type="unfinished">Ir para a origem</translation>
+        <translation>Ir para a origem</translation>
     </message>
 </context>
 <context>
@@ -23151,7 +23215,7 @@ It is used by: %1. They will have an error until they use something else.</sourc
     </message>
     <message>
         <source>Fill down</source>
-        <translation type="unfinished">Preencher abaixo</translation>
+        <translation>Preencher abaixo</translation>
     </message>
 </context>
 <context>

@@ -16877,7 +16877,7 @@ sample 1; 2; 3 weights 2; 5; 2（按原样抽取），histogram 0; 1; 2 weights 
     </message>
     <message>
         <source>column &apos;%1&apos; of &apos;%2&apos; is %3; its unit is missing: write &quot;%4 [%5]&quot;</source>
-        <translation type="unfinished">&apos;%2&apos; 的列 &apos;%1&apos; 是%3；缺少其单位：请写 &quot;%1 [%4]&quot; {1&apos;?} {2&apos;?} {3;?} {4 ?} {5]?}</translation>
+        <translation>&apos;%2&apos; 的列 &apos;%1&apos; 是%3；缺少其单位：请写 &quot;%4 [%5]&quot;</translation>
     </message>
     <message>
         <source>column &apos;%1&apos; of &apos;%2&apos; is a difference of temperatures: give it in %3, not in %4</source>
@@ -17585,491 +17585,547 @@ sample 1; 2; 3 weights 2; 5; 2（按原样抽取），histogram 0; 1; 2 weights 
     </message>
     <message>
         <source>deviation of the barycentre of %1, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的重心偏差，%2</translation>
     </message>
     <message>
         <source>x in a frame</source>
-        <translation type="unfinished"></translation>
+        <translation>坐标系中的 x</translation>
     </message>
     <message>
         <source>y in a frame</source>
-        <translation type="unfinished"></translation>
+        <translation>坐标系中的 y</translation>
     </message>
     <message>
         <source>z in a frame</source>
-        <translation type="unfinished"></translation>
+        <translation>坐标系中的 z</translation>
     </message>
     <message>
         <source>frame</source>
-        <translation type="unfinished"></translation>
+        <translation>坐标系</translation>
     </message>
     <message>
         <source>Of a coordinate in a frame: the name of the frame, whose pose the readings tell: that of an arm, a scanner, a photogrammetric network.</source>
-        <translation type="unfinished"></translation>
+        <translation>用于坐标系中的坐标：坐标系的名称，其位姿由读数确定，例如测量臂、扫描仪、摄影测量网的坐标系。</translation>
     </message>
     <message>
         <source>Frames, planes and lines</source>
-        <translation type="unfinished"></translation>
+        <translation>坐标系、平面和直线</translation>
     </message>
     <message>
         <source>Frames that readings name, where more is known of them than that their pose is unknown, and planes and lines on which points are.</source>
-        <translation type="unfinished"></translation>
+        <translation>读数所指名的坐标系（除位姿未知外还有更多已知信息者），以及点所在的平面和直线。</translation>
     </message>
     <message>
         <source>Name of the frame, as in the column of the readings.</source>
-        <translation type="unfinished"></translation>
+        <translation>坐标系的名称，与读数的列中相同。</translation>
     </message>
     <message>
         <source>An own frame with all of its axes; or a plane, from which points are as far as their z in it says; or a line along its x-axis, from which their y and z say how far they are.</source>
-        <translation type="unfinished"></translation>
+        <translation>具有全部轴的独立坐标系；或平面，点与它的距离由点在其中的 z 表示；或沿其 x 轴的直线，点与它的距离由点的 y 和 z 表示。</translation>
     </message>
     <message>
         <source>own frame</source>
-        <translation type="unfinished"></translation>
+        <translation>独立坐标系</translation>
     </message>
     <message>
         <source>Scale of an own frame: fixed; unknown, so that the readings tell it; stated with u.</source>
-        <translation type="unfinished"></translation>
+        <translation>独立坐标系的尺度：固定；未知，由读数确定；以 u 给出。</translation>
     </message>
     <message>
         <source>scale beyond 1</source>
-        <translation type="unfinished"></translation>
+        <translation>尺度超出 1 的部分</translation>
     </message>
     <message>
         <source>By how much coordinates in the frame are too long; 0 where it is empty.</source>
-        <translation type="unfinished"></translation>
+        <translation>坐标系中的坐标偏长的程度；留空为 0。</translation>
     </message>
     <message>
         <source>u of scale</source>
-        <translation type="unfinished"></translation>
+        <translation>尺度的 u</translation>
     </message>
     <message>
         <source>Standard uncertainty of a stated scale.</source>
-        <translation type="unfinished"></translation>
+        <translation>给出的尺度的标准不确定度。</translation>
     </message>
     <message>
         <source>Of an own frame whose z-axis is vertical: within that standard uncertainty about x and about y; empty: nothing is known of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>用于 z 轴竖直的独立坐标系：绕 x 和绕 y 均在此标准不确定度之内；留空：对此一无所知。</translation>
     </message>
     <message>
         <source>two frames are called %1</source>
-        <translation type="unfinished"></translation>
+        <translation>有两个坐标系名为 %1</translation>
     </message>
     <message>
         <source>%1 has no scale and no tilt to state</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 没有可给出的尺度和倾斜</translation>
     </message>
     <message>
         <source>%1: the u of its stated scale is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：缺少所给尺度的 u</translation>
     </message>
     <message>
         <source>there is no reading in %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 中没有读数</translation>
     </message>
     <message>
         <source>%1 has points without heights</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 含有没有高程的点</translation>
     </message>
     <message>
         <source>a coordinate of %1 in a frame: the name of the frame is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 在坐标系中的坐标：缺少坐标系的名称</translation>
     </message>
     <message>
         <source>%1 has no such coordinate of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 中没有 %2 的这种坐标</translation>
     </message>
     <message>
         <source>a coordinate in %1 needs x and y of %2, which are not part of the network</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 中的坐标需要 %2 的 x 和 y，而它们不属于网</translation>
     </message>
     <message>
         <source>nothing tells how %1 lies: read more points in it whose places other readings tell, not all on a line</source>
-        <translation type="unfinished"></translation>
+        <translation>无法确定 %1 的位姿：请在其中读取更多位置由其他读数确定的点，且这些点不全在一条直线上</translation>
     </message>
     <message>
         <source>%1, there and back</source>
-        <translation type="unfinished"></translation>
+        <translation>%1，往返</translation>
     </message>
     <message>
         <source>%1, again</source>
-        <translation type="unfinished"></translation>
+        <translation>%1，重复</translation>
     </message>
     <message>
         <source>angle at %1 from %2 to %3, in two rounds</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 处从 %2 到 %3 的角度，两个测回</translation>
     </message>
     <message>
         <source>loop of differences of x, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>x 之差的闭合环，%1</translation>
     </message>
     <message>
         <source>loop of differences of y, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>y 之差的闭合环，%1</translation>
     </message>
     <message>
         <source>loop of height differences, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>高差闭合环，%1</translation>
     </message>
     <message>
         <source>before the adjustment: %1 closes with %2 %3, %4 times its u</source>
-        <translation type="unfinished"></translation>
+        <translation>平差前：%1 的闭合差为 %2 %3，是其 u 的 %4 倍</translation>
     </message>
     <message>
         <source>and %1 more closures are beyond 3.29 times their u</source>
-        <translation type="unfinished"></translation>
+        <translation>另有 %1 个闭合差超过其 u 的 3.29 倍</translation>
     </message>
     <message>
         <source>Closures before the adjustment</source>
-        <translation type="unfinished"></translation>
+        <translation>平差前的闭合检核</translation>
     </message>
     <message>
         <source>Closure</source>
-        <translation type="unfinished"></translation>
+        <translation>闭合</translation>
     </message>
     <message>
         <source>misclosure</source>
-        <translation type="unfinished"></translation>
+        <translation>闭合差</translation>
     </message>
     <message>
         <source>u of the misclosure</source>
-        <translation type="unfinished"></translation>
+        <translation>闭合差的 u</translation>
     </message>
     <message>
         <source>misclosure over u</source>
-        <translation type="unfinished"></translation>
+        <translation>闭合差除以 u</translation>
     </message>
     <message>
         <source>too large?</source>
-        <translation type="unfinished"></translation>
+        <translation>过大？</translation>
     </message>
     <message>
         <source>%1 closures are beyond 3.29 times their u (0.1 %).</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 个闭合差超过其 u 的 3.29 倍 (0.1 %)。</translation>
     </message>
     <message>
         <source>coordinates in frames</source>
-        <translation type="unfinished"></translation>
+        <translation>坐标系中的坐标</translation>
     </message>
     <message>
         <source>frame %1</source>
-        <translation type="unfinished"></translation>
+        <translation>坐标系 %1</translation>
     </message>
     <message>
         <source>plane %1</source>
-        <translation type="unfinished"></translation>
+        <translation>平面 %1</translation>
     </message>
     <message>
         <source>line %1</source>
-        <translation type="unfinished"></translation>
+        <translation>直线 %1</translation>
     </message>
     <message>
         <source>station %1</source>
-        <translation type="unfinished"></translation>
+        <translation>测站 %1</translation>
     </message>
     <message>
         <source>target %1</source>
-        <translation type="unfinished"></translation>
+        <translation>目标点 %1</translation>
     </message>
     <message>
         <source>directions at %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 处的方向</translation>
     </message>
     <message>
         <source>directions at %1, round %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 处的方向，测回 %2</translation>
     </message>
     <message>
         <source>Groups of readings</source>
-        <translation type="unfinished"></translation>
+        <translation>读数的组</translation>
     </message>
     <message>
         <source>controlled</source>
-        <translation type="unfinished"></translation>
+        <translation>受控</translation>
     </message>
     <message>
         <source>sum of squares falls by</source>
-        <translation type="unfinished"></translation>
+        <translation>平方和减少</translation>
     </message>
     <message>
         <source>contradicts the others?</source>
-        <translation type="unfinished"></translation>
+        <translation>与其他读数矛盾？</translation>
     </message>
     <message>
         <source>Without the group the sum of squares falls by as much, which is a chi-square of as many degrees of freedom as of its readings the others control; p is its probability.</source>
-        <translation type="unfinished"></translation>
+        <translation>去掉该组后，平方和减少这么多；它是卡方，其自由度为该组读数中受其他读数控制的个数；p 为其概率。</translation>
     </message>
     <message>
         <source>%1 groups have p &lt; 0.1 %; where several do, look at the first.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 个组的 p &lt; 0.1 %；若有多个，请查看第一个。</translation>
     </message>
     <message>
         <source>%1, origin along %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1，原点沿 %2 的位置</translation>
     </message>
     <message>
         <source>%1, offset along its %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1，沿其 %2 的偏移</translation>
     </message>
     <message>
         <source>%1, tilt about its %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1，绕其 %2 的倾斜</translation>
     </message>
     <message>
         <source>%1, turn about %2 after a right angle about y</source>
-        <translation type="unfinished"></translation>
+        <translation>%1，绕 y 转直角后绕 %2 的旋转</translation>
     </message>
     <message>
         <source>%1, turn about %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1，绕 %2 的旋转</translation>
     </message>
     <message>
         <source>tilt of %1 about %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 绕 %2 的倾斜</translation>
     </message>
     <message>
         <source>%1 of %2 in %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%2 在 %3 中的 %1</translation>
     </message>
     <message>
         <source>frames</source>
-        <translation type="unfinished"></translation>
+        <translation>坐标系</translation>
     </message>
     <message>
         <source>it must be the SHA-256 of the file: 64 hexadecimal digits</source>
-        <translation type="unfinished"></translation>
+        <translation>必须是文件的 SHA-256：64 位十六进制数字</translation>
     </message>
     <message>
         <source>its figures would have been valid only before the calibration</source>
-        <translation type="unfinished"></translation>
+        <translation>其数值只在校准之前有效</translation>
     </message>
     <message>
         <source>the symbol of a quantity or the key of a field is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>缺少量的符号或字段的键</translation>
     </message>
     <message>
         <source>a range needs its lowest or its highest value</source>
-        <translation type="unfinished"></translation>
+        <translation>范围需要其最小值或最大值</translation>
     </message>
     <message>
         <source>its unit does not fit that of the lowest value</source>
-        <translation type="unfinished"></translation>
+        <translation>其单位与最小值的单位不符</translation>
     </message>
     <message>
         <source>it is below the lowest value</source>
-        <translation type="unfinished"></translation>
+        <translation>它小于最小值</translation>
     </message>
     <message>
         <source>%1 %2</source>
-        <translation type="unfinished">%3年%2%1日 {1 %2?}</translation>
+        <translation>%1 %2</translation>
     </message>
     <message>
         <source>%1 %2 of %3</source>
-        <translation type="unfinished">%1 / %3 {1 %2 ?}</translation>
+        <translation>%3的%1 %2</translation>
     </message>
     <message>
         <source>nothing says which certificate it is: its number is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>无法确定是哪份证书：缺少其编号</translation>
     </message>
     <message>
         <source>a range of a certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>证书的范围</translation>
     </message>
     <message>
         <source>a certificate of figures</source>
-        <translation type="unfinished"></translation>
+        <translation>数值的证书</translation>
     </message>
     <message>
         <source>its figures hold for %1 of %2, and here it is %3</source>
-        <translation type="unfinished"></translation>
+        <translation>其数值适用于 %1 为 %2 的情形，而此处为 %3</translation>
     </message>
     <message>
         <source>its figures hold for %1 of %2, and nothing here is called so</source>
-        <translation type="unfinished"></translation>
+        <translation>其数值适用于 %1 为 %2 的情形，而此处没有以此为名的量</translation>
     </message>
     <message>
         <source>applicable</source>
-        <translation type="unfinished"></translation>
+        <translation>适用</translation>
     </message>
     <message>
         <source>not known</source>
-        <translation type="unfinished"></translation>
+        <translation>未知</translation>
     </message>
     <message>
         <source>outside what it holds for</source>
-        <translation type="unfinished"></translation>
+        <translation>超出适用范围</translation>
     </message>
     <message>
         <source>expired</source>
-        <translation type="unfinished"></translation>
+        <translation>已过有效期</translation>
     </message>
     <message>
         <source>until when it is valid is not stated</source>
-        <translation type="unfinished"></translation>
+        <translation>未给出有效期</translation>
     </message>
     <message>
         <source>the date of the measurement is not stated</source>
-        <translation type="unfinished"></translation>
+        <translation>未给出测量日期</translation>
     </message>
     <message>
         <source>it is of %1, and the measurement of %2 before it</source>
-        <translation type="unfinished"></translation>
+        <translation>其日期为 %1，而测量日期 %2 在其之前</translation>
     </message>
     <message>
         <source>it was valid until %1, and the measurement is of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>其有效期至 %1，而测量日期为 %2</translation>
     </message>
     <message>
         <source>%1; %2</source>
-        <translation type="unfinished">%1：%2 {1;?}</translation>
+        <translation>%1；%2</translation>
     </message>
     <message>
         <source>%1: %2: %3</source>
-        <translation type="unfinished">%1，%2：%3 {1:?} {2:?}</translation>
+        <translation>%1：%2：%3</translation>
     </message>
     <message>
         <source>Certificates of the figures</source>
-        <translation type="unfinished"></translation>
+        <translation>数值的证书</translation>
     </message>
     <message>
         <source>Figures of</source>
-        <translation type="unfinished"></translation>
+        <translation>数值所属</translation>
     </message>
     <message>
         <source>Calibrated</source>
-        <translation type="unfinished"></translation>
+        <translation>校准日期</translation>
     </message>
     <message>
         <source>Valid until</source>
-        <translation type="unfinished"></translation>
+        <translation>有效期至</translation>
     </message>
     <message>
         <source>%1: %2.</source>
-        <translation type="unfinished">%1：%2. {1:?}</translation>
+        <translation>%1：%2。</translation>
     </message>
     <message>
         <source>Of %1 artefacts and instruments %2 have no certificate; their figures are assumed: %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 件实物标准器和仪器中有 %2 件没有证书；其数值为假定值：%3。</translation>
     </message>
     <message>
         <source>it is no project</source>
-        <translation type="unfinished"></translation>
+        <translation>它不是项目</translation>
     </message>
     <message>
         <source>it has errors</source>
-        <translation type="unfinished"></translation>
+        <translation>它有错误</translation>
     </message>
     <message>
         <source>%1, with the old figures: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1，采用旧数值：%2</translation>
     </message>
     <message>
         <source>%1, with the new figures: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1，采用新数值：%2</translation>
     </message>
     <message>
         <source>%1: with the new figures there is no %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：采用新数值时没有 %2</translation>
     </message>
     <message>
         <source>there is no folder or file %1</source>
-        <translation type="unfinished"></translation>
+        <translation>没有文件夹或文件 %1</translation>
     </message>
     <message>
         <source>the folder %1 cannot be read: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>不能读取文件夹 %1：%2</translation>
     </message>
     <message>
         <source>Results that change, the largest change first</source>
-        <translation type="unfinished"></translation>
+        <translation>有变化的结果，变化最大者在前</translation>
     </message>
     <message>
         <source>File</source>
-        <translation type="unfinished"></translation>
+        <translation>文件</translation>
     </message>
     <message>
         <source>Change in U</source>
-        <translation type="unfinished"></translation>
+        <translation>变化，以 U 计</translation>
     </message>
     <message>
         <source>Verdict before</source>
-        <translation type="unfinished"></translation>
+        <translation>结论（前）</translation>
     </message>
     <message>
         <source>Verdict after</source>
-        <translation type="unfinished"></translation>
+        <translation>结论（后）</translation>
     </message>
     <message>
         <source>%1 projects and reports were looked at; %2 use the figures.</source>
-        <translation type="unfinished"></translation>
+        <translation>查看了 %1 个项目和报告；其中 %2 个使用这些数值。</translation>
     </message>
     <message>
         <source>Of %1 results %2 change, %3 of them in what is stated; %4 verdicts change.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 个结果中有 %2 个变化，其中 %3 个所给出的内容有变化；有 %4 个结论变化。</translation>
     </message>
     <message>
         <source>%1 could not be evaluated.</source>
-        <translation type="unfinished"></translation>
+        <translation>有 %1 个无法评定。</translation>
     </message>
     <message>
         <source>Impact of new figures</source>
-        <translation type="unfinished"></translation>
+        <translation>新数值的影响</translation>
     </message>
     <message>
         <source>Results that rest on a certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>以证书为依据的结果</translation>
     </message>
     <message>
         <source>Replaced</source>
-        <translation type="unfinished"></translation>
+        <translation>被替换</translation>
     </message>
     <message>
         <source>By</source>
-        <translation type="unfinished"></translation>
+        <translation>替换为</translation>
     </message>
     <message>
         <source>Looked for in</source>
-        <translation type="unfinished"></translation>
+        <translation>查找位置</translation>
     </message>
     <message>
         <source>The change of the value is given in units of the expanded uncertainty that was stated.</source>
-        <translation type="unfinished"></translation>
+        <translation>值的变化以原先给出的扩展不确定度为单位表示。</translation>
     </message>
     <message>
         <source>Documents to amend</source>
-        <translation type="unfinished"></translation>
+        <translation>需修订的文件</translation>
     </message>
     <message>
         <source>Not evaluated</source>
-        <translation type="unfinished"></translation>
+        <translation>未评定</translation>
     </message>
     <message>
         <source>the tables of quantities have other units</source>
-        <translation type="unfinished"></translation>
+        <translation>量的两个表格单位不同</translation>
     </message>
     <message>
         <source>the new figures say nothing of the quantity %1</source>
-        <translation type="unfinished"></translation>
+        <translation>新数值中没有关于量 %1 的内容</translation>
     </message>
     <message>
         <source>none of the quantities of the certificate is stated</source>
-        <translation type="unfinished"></translation>
+        <translation>证书的量均未给出</translation>
     </message>
     <message>
         <source>%1 states no quantities in a table</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 没有在表格中给出量</translation>
     </message>
     <message>
         <source>%1 has nothing with the id %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 中没有标识为 %2 的条目</translation>
     </message>
     <message>
         <source>%1 has no new figures for %2: nothing in it is of the same kind</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 没有 %2 的新数值：其中没有同类的条目</translation>
     </message>
     <message>
         <source>%1 has several figures that %2 could have: name the one behind &apos;#&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 中有多组数值可用于 %2：请在 &apos;#&apos; 之后指明其中一组</translation>
+    </message>
+    <message>
+        <source>As it stands on the certificate.</source>
+        <translation>与证书上所写相同。</translation>
+    </message>
+    <message>
+        <source>Edition</source>
+        <translation>版本</translation>
+    </message>
+    <message>
+        <source>Of an amended certificate or a data sheet.</source>
+        <translation>经修订的证书或数据表的版本。</translation>
+    </message>
+    <message>
+        <source>Issuer</source>
+        <translation>签发方</translation>
+    </message>
+    <message>
+        <source>Laboratory, manufacturer.</source>
+        <translation>实验室、制造商。</translation>
+    </message>
+    <message>
+        <source>The last day on which the figures may be used, by your own rule.</source>
+        <translation>按您自己的规定，可使用这些数值的最后一天。</translation>
+    </message>
+    <message>
+        <source>Conditions</source>
+        <translation>条件</translation>
+    </message>
+    <message>
+        <source>What the figures hold for, in words: mode, filter, support.</source>
+        <translation>数值适用的条件，以文字说明：模式、滤波、支承。</translation>
+    </message>
+    <message>
+        <source>Its name.</source>
+        <translation>文件的名称。</translation>
+    </message>
+    <message>
+        <source>Digest</source>
+        <translation>摘要</translation>
+    </message>
+    <message>
+        <source>SHA-256 of the file, 64 hexadecimal digits.</source>
+        <translation>文件的 SHA-256，64 位十六进制数字。</translation>
+    </message>
+    <message>
+        <source>certificate</source>
+        <translation>证书</translation>
+    </message>
+    <message>
+        <source>report</source>
+        <translation>报告</translation>
+    </message>
+    <message>
+        <source>data sheet</source>
+        <translation>数据表</translation>
     </message>
 </context>
 <context>
@@ -18590,11 +18646,11 @@ sample 1; 2; 3 weights 2; 5; 2（按原样抽取），histogram 0; 1; 2 weights 
     </message>
     <message>
         <source>distr.</source>
-        <translation type="unfinished"></translation>
+        <translation>分布</translation>
     </message>
     <message>
         <source>Distribution that Monte Carlo draws</source>
-        <translation type="unfinished"></translation>
+        <translation>蒙特卡洛抽样所用的分布</translation>
     </message>
 </context>
 <context>
@@ -18785,11 +18841,11 @@ sample 1; 2; 3 weights 2; 5; 2（按原样抽取），histogram 0; 1; 2 weights 
     <name>covaria::ui::BudgetFootModel</name>
     <message>
         <source>Out of date: being computed.</source>
-        <translation type="unfinished">已过期：正在计算。</translation>
+        <translation>已过期：正在计算。</translation>
     </message>
     <message>
         <source>Combined standard uncertainty by the law of propagation</source>
-        <translation type="unfinished"></translation>
+        <translation>按传播律的合成标准不确定度</translation>
     </message>
 </context>
 <context>
@@ -18808,7 +18864,7 @@ sample 1; 2; 3 weights 2; 5; 2（按原样抽取），histogram 0; 1; 2 weights 
     </message>
     <message>
         <source>Result of the budget</source>
-        <translation type="unfinished"></translation>
+        <translation>预算的结果</translation>
     </message>
 </context>
 <context>
@@ -18835,7 +18891,7 @@ sample 1; 2; 3 weights 2; 5; 2（按原样抽取），histogram 0; 1; 2 weights 
     </message>
     <message>
         <source>type, or paste rows</source>
-        <translation type="unfinished"></translation>
+        <translation>键入或粘贴行</translation>
     </message>
 </context>
 <context>
@@ -19904,7 +19960,7 @@ sample 1; 2; 3 weights 2; 5; 2（按原样抽取），histogram 0; 1; 2 weights 
     </message>
     <message>
         <source>Change the requirements for %1 results</source>
-        <translation type="unfinished"></translation>
+        <translation>更改对 %1 个结果的要求</translation>
     </message>
 </context>
 <context>
@@ -20112,71 +20168,79 @@ It says “not stated” in these places. They are fields of the project&apos;s 
     <name>covaria::ui::FigureSourcesForm</name>
     <message>
         <source>certificate %1, not named yet</source>
-        <translation type="unfinished"></translation>
+        <translation>证书 %1，尚未命名</translation>
     </message>
     <message>
         <source>Applicable in %1 analyses.</source>
-        <translation type="unfinished"></translation>
+        <translation>在 %1 个分析中适用。</translation>
     </message>
     <message>
         <source>No analysis uses these figures.</source>
-        <translation type="unfinished"></translation>
+        <translation>没有分析使用这些数值。</translation>
     </message>
     <message>
         <source>Change the date of the measurement</source>
-        <translation type="unfinished"></translation>
+        <translation>更改测量日期</translation>
     </message>
     <message>
         <source>Certificate of the figures</source>
-        <translation type="unfinished"></translation>
+        <translation>数值的证书</translation>
     </message>
     <message>
         <source>Adds a certificate that figures come from</source>
-        <translation type="unfinished"></translation>
+        <translation>添加数值所出自的证书</translation>
     </message>
     <message>
         <source>Removes this certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>移除此证书</translation>
     </message>
     <message>
         <source>Takes name and digest of the certificate&apos;s file</source>
-        <translation type="unfinished"></translation>
+        <translation>取证书文件的名称和摘要</translation>
     </message>
     <message>
         <source>Kind</source>
-        <translation type="unfinished">种类</translation>
+        <translation>种类</translation>
     </message>
     <message>
         <source>Change the kind of a certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>更改证书的种类</translation>
     </message>
     <message>
         <source>Change %1</source>
-        <translation type="unfinished">更改%1</translation>
+        <translation>更改%1</translation>
     </message>
     <message>
         <source>Add a certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>添加证书</translation>
     </message>
     <message>
         <source>Remove a certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>移除证书</translation>
     </message>
     <message>
         <source>File of the Certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>证书文件</translation>
     </message>
     <message>
         <source>Take the file of a certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>取证书文件</translation>
     </message>
     <message>
         <source>These figures are assumed: no certificate states them.</source>
-        <translation type="unfinished"></translation>
+        <translation>这些数值为假定值：没有证书给出它们。</translation>
     </message>
     <message>
         <source>No certificate states the figures of this set-up.</source>
-        <translation type="unfinished"></translation>
+        <translation>没有证书给出此测量设置的数值。</translation>
+    </message>
+    <message>
+        <source>Date of the measurement</source>
+        <translation>测量日期</translation>
+    </message>
+    <message>
+        <source>A date, or two of an interval; empty: that of the project&apos;s certificate.</source>
+        <translation>一个日期，或表示期间的两个日期；留空：项目证书的日期。</translation>
     </message>
 </context>
 <context>
@@ -20342,7 +20406,7 @@ It says “not stated” in these places. They are fields of the project&apos;s 
     <name>covaria::ui::FoldGroups</name>
     <message>
         <source>none</source>
-        <translation type="unfinished">无</translation>
+        <translation>无</translation>
     </message>
 </context>
 <context>
@@ -20683,7 +20747,7 @@ It says “not stated” in these places. They are fields of the project&apos;s 
     </message>
     <message>
         <source>Notes on the quantity</source>
-        <translation type="unfinished">关于该量的附注</translation>
+        <translation>关于该量的附注</translation>
     </message>
 </context>
 <context>
@@ -20717,7 +20781,7 @@ It says “not stated” in these places. They are fields of the project&apos;s 
     </message>
     <message>
         <source>Properties</source>
-        <translation type="unfinished">属性</translation>
+        <translation>属性</translation>
     </message>
     <message>
         <source>Project and documents</source>
@@ -20985,11 +21049,11 @@ Chosen: %2</source>
     </message>
     <message>
         <source>Run</source>
-        <translation type="unfinished">运行</translation>
+        <translation>运行</translation>
     </message>
     <message>
         <source>Document</source>
-        <translation type="unfinished">文档</translation>
+        <translation>文档</translation>
     </message>
 </context>
 <context>
@@ -21120,11 +21184,11 @@ Chosen: %2</source>
     </message>
     <message>
         <source>Require…</source>
-        <translation type="unfinished"></translation>
+        <translation>要求…</translation>
     </message>
     <message>
         <source>Target uncertainty and limits of the results that are selected</source>
-        <translation type="unfinished"></translation>
+        <translation>所选结果的目标不确定度和界限</translation>
     </message>
 </context>
 <context>
@@ -21616,7 +21680,7 @@ It is used by: %1. They will have an error until they use something else.</sourc
     </message>
     <message>
         <source>Add an analysis or what it uses</source>
-        <translation type="unfinished">添加分析或其所用的内容</translation>
+        <translation>添加分析或其所用的内容</translation>
     </message>
 </context>
 <context>
@@ -21742,7 +21806,7 @@ It is used by: %1. They will have an error until they use something else.</sourc
     </message>
     <message>
         <source>Certificates</source>
-        <translation type="unfinished"></translation>
+        <translation>证书</translation>
     </message>
 </context>
 <context>
@@ -21912,7 +21976,7 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <name>covaria::ui::RequirementDialog</name>
     <message>
         <source>Require of Results</source>
-        <translation type="unfinished"></translation>
+        <translation>对结果的要求</translation>
     </message>
 </context>
 <context>
@@ -22436,7 +22500,7 @@ It is used by: %1. They will have an error until they use something else.</sourc
     </message>
     <message>
         <source>group</source>
-        <translation type="unfinished">组</translation>
+        <translation>组</translation>
     </message>
 </context>
 <context>
@@ -22517,7 +22581,7 @@ It is used by: %1. They will have an error until they use something else.</sourc
     </message>
     <message>
         <source>Go to Source</source>
-        <translation type="unfinished">转到来源</translation>
+        <translation>转到来源</translation>
     </message>
 </context>
 <context>
@@ -23146,7 +23210,7 @@ It is used by: %1. They will have an error until they use something else.</sourc
     </message>
     <message>
         <source>Fill down</source>
-        <translation type="unfinished">向下填充</translation>
+        <translation>向下填充</translation>
     </message>
 </context>
 <context>
