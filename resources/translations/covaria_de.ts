@@ -18891,7 +18891,7 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
         <translation>Die Beobachtungen werden aus %1 gelesen.</translation>
     </message>
     <message>
-        <source>type, or paste rows</source>
+        <source>type or paste rows</source>
         <translation>tippen oder Zeilen einfügen</translation>
     </message>
 </context>

@@ -18891,7 +18891,7 @@ nu 18 detrás de cualquiera de ellos: grados de libertad</translation>
         <translation>Las observaciones se leen de %1.</translation>
     </message>
     <message>
-        <source>type, or paste rows</source>
+        <source>type or paste rows</source>
         <translation>teclee o pegue filas</translation>
     </message>
 </context>

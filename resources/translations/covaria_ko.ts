@@ -18890,7 +18890,7 @@ sample 1; 2; 3 weights 2; 5; 2 (그대로 뽑음), histogram 0; 1; 2 weights 5; 
         <translation>관측값은 %1에서 읽습니다.</translation>
     </message>
     <message>
-        <source>type, or paste rows</source>
+        <source>type or paste rows</source>
         <translation>입력 또는 행 붙여넣기</translation>
     </message>
 </context>

@@ -18891,7 +18891,7 @@ nu 18 atrás de qualquer um deles: graus de liberdade</translation>
         <translation>As observações são lidas de %1.</translation>
     </message>
     <message>
-        <source>type, or paste rows</source>
+        <source>type or paste rows</source>
         <translation>digite ou cole linhas</translation>
     </message>
 </context>

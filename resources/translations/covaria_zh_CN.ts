@@ -18890,7 +18890,7 @@ sample 1; 2; 3 weights 2; 5; 2（按原样抽取），histogram 0; 1; 2 weights 
         <translation>观测值从 %1 读取。</translation>
     </message>
     <message>
-        <source>type, or paste rows</source>
+        <source>type or paste rows</source>
         <translation>键入或粘贴行</translation>
     </message>
 </context>

@@ -76,7 +76,7 @@ void draw_hint(QPainter& painter, const QString& hint, const QStyleOptionViewIte
     painter.save();
     painter.setPen(tokens_of(option.palette).ink3);
     painter.setFont(option.font);
-    const QRect area = option.rect.adjusted(beside, 0, 0, 0);
+    const QRect area = option.rect.adjusted(beside / 2, 0, 0, 0);
     painter.drawText(area, Qt::AlignLeft | Qt::AlignVCenter,
                      option.fontMetrics.elidedText(hint, Qt::ElideRight, area.width()));
     painter.restore();

@@ -10,7 +10,7 @@
 
 namespace covaria::ui {
 
-BudgetFoot::BudgetFoot(QAbstractItemModel& result, const QTableView& sheet, QWidget* parent)
+BudgetFoot::BudgetFoot(QAbstractItemModel& result, SpreadsheetView& sheet, QWidget* parent)
     : QTableView(parent), sheet_(sheet) {
     setModel(&result);
     setItemDelegate(new TypesetDelegate(this));
@@ -22,7 +22,7 @@ BudgetFoot::BudgetFoot(QAbstractItemModel& result, const QTableView& sheet, QWid
     setHorizontalScrollMode(ScrollPerPixel);
     horizontalHeader()->hide();
     horizontalHeader()->setMinimumSectionSize(0);
-    verticalHeader()->hide();
+    verticalHeader()->setSectionsClickable(false);
     make_quiet(*this, RowRoom::stage);
     for (const QHeaderView* header : {sheet.horizontalHeader(), sheet.verticalHeader()}) {
         connect(header, &QHeaderView::sectionResized, this, &BudgetFoot::align);
@@ -31,19 +31,26 @@ BudgetFoot::BudgetFoot(QAbstractItemModel& result, const QTableView& sheet, QWid
     connect(sheet.horizontalScrollBar(), &QScrollBar::valueChanged, horizontalScrollBar(),
             &QScrollBar::setValue);
     connect(sheet.horizontalScrollBar(), &QScrollBar::rangeChanged, this, &BudgetFoot::align);
-    connect(&result, &QAbstractItemModel::modelReset, this, &BudgetFoot::align);
+    connect(&result, &QAbstractItemModel::modelReset, this, &BudgetFoot::take_result);
+    take_result();
+}
+
+/// The digits that remain of a number would be another one: numbers get their room, words are cut.
+void BudgetFoot::take_result() {
+    for (int column = 0; column < model()->columnCount() && model()->rowCount() > 0; ++column)
+        if (model()->index(0, column).data(Qt::TextAlignmentRole).toInt() & Qt::AlignRight)
+            sheet_.make_room(column, sizeHintForColumn(column));
     align();
 }
 
-/// The numbers of the sheet's rows take room at its left, and a scroll bar at its right.
+/// The numbers of the sheet's rows have room at its left, which the head of the result's row takes here.
 void BudgetFoot::align() {
     setVisible(model()->rowCount() > 0);
     for (int column = 0; column < model()->columnCount(); ++column) {
         setColumnHidden(column, sheet_.isColumnHidden(column));
         if (!sheet_.isColumnHidden(column)) setColumnWidth(column, sheet_.columnWidth(column));
     }
-    const int right = sheet_.verticalScrollBar()->isVisible() ? sheet_.verticalScrollBar()->width() : 0;
-    setViewportMargins(sheet_.verticalHeader()->width() + sheet_.frameWidth(), 0, right, 0);
+    verticalHeader()->setFixedWidth(sheet_.verticalHeader()->width());
     setFixedHeight(verticalHeader()->defaultSectionSize() + 2);
     horizontalScrollBar()->setValue(sheet_.horizontalScrollBar()->value());
 }

@@ -3,23 +3,25 @@
 
 #include <QTableView>
 
-class QAbstractItemModel;
+#include "ui/forms/spreadsheet_view.h"
 
 namespace covaria::ui {
 
-/// Follows the widths, hidden columns and scrolling of the sheet; hidden without a result.
+/// Follows the widths, hidden columns and scrolling of the sheet, which makes room for its numbers; hidden
+/// without a result.
 class BudgetFoot : public QTableView {
     Q_OBJECT
 public:
-    BudgetFoot(QAbstractItemModel& result, const QTableView& sheet, QWidget* parent = nullptr);
+    BudgetFoot(QAbstractItemModel& result, SpreadsheetView& sheet, QWidget* parent = nullptr);
 
 protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
+    void take_result();
     void align();
 
-    const QTableView& sheet_;
+    SpreadsheetView& sheet_;
 };
 
 }  // namespace covaria::ui

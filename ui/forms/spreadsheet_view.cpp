@@ -29,6 +29,19 @@ QModelIndexList cells_of(const QAbstractItemModel& model, int rows) {
         for (int column = 0; column < model.columnCount(); ++column) cells << model.index(row, column);
     return cells;
 }
+
+/// Number of rows up to the last one in which anything stands.
+int filled_rows(const QAbstractItemModel& model) {
+    int rows = model.rowCount();
+    const auto is_empty = [&model](int row) {
+        for (int column = 0; column < model.columnCount(); ++column)
+            if (!model.index(row, column).data().toString().isEmpty()) return false;
+        return true;
+    };
+    while (rows > 0 && is_empty(rows - 1)) --rows;
+    return rows;
+}
+
 constexpr int most_rows_measured = 200;  // limit for pasted or imported rows
 constexpr int widest_column = 320;       // limit of widths that no user has set
 constexpr int far_too_wide = 60;
@@ -133,6 +146,14 @@ void SpreadsheetView::fit_columns(int first, int last) {
                 std::max(wanted, itemDelegate()->sizeHint(option, model_.index(row, column)).width() + 1);
         if (wanted > columnWidth(column)) setColumnWidth(column, std::min(wanted, widest_column));
     }
+    fitting_ = false;
+    give_way();
+}
+
+void SpreadsheetView::make_room(int column, int width) {
+    if (given_widths_.contains(column) || width <= columnWidth(column)) return;
+    fitting_ = true;
+    setColumnWidth(column, std::min(width, widest_column));
     fitting_ = false;
     give_way();
 }
@@ -294,20 +315,8 @@ void SpreadsheetView::copy() {
     QModelIndexList cells = selectedIndexes();
     const int columns = horizontalHeader()->count() - horizontalHeader()->hiddenSectionCount();
     const bool whole = cells.size() > 1 && cells.size() == qsizetype(model_.rowCount()) * columns;
-    if (whole) cells = cells_of(model_, filled_rows());
+    if (whole) cells = cells_of(model_, filled_rows(model_));
     QGuiApplication::clipboard()->setText(block_text(cells, whole));
-}
-
-/// Number of rows up to the last one in which anything stands.
-int SpreadsheetView::filled_rows() const {
-    int rows = model_.rowCount();
-    const auto is_empty = [this](int row) {
-        for (int column = 0; column < model_.columnCount(); ++column)
-            if (!model_.index(row, column).data().toString().isEmpty()) return false;
-        return true;
-    };
-    while (rows > 0 && is_empty(rows - 1)) --rows;
-    return rows;
 }
 
 void SpreadsheetView::cut() {

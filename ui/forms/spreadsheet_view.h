@@ -29,6 +29,8 @@ public:
 
     static constexpr int usual_rows = 12;  ///< longer tables scroll, unless their page has room to spare
     void set_most_rows(int rows);
+    /// Widens a column that has less than this, unless the user has given it a width.
+    void make_room(int column, int width);
     /// The height with so many of its rows in view, if it has them.
     int height_with(int rows) const;
     /// The height of all rows, up to a limit.
@@ -47,7 +49,6 @@ protected:
 private:
     QAction* add(const QString& text, const QKeySequence& key, void (SpreadsheetView::*method)());
     void copy();
-    int filled_rows() const;
     void cut();
     void paste();
     void clear();

@@ -51,7 +51,8 @@ void BudgetFootModel::set_result(std::shared_ptr<const UncertaintyResult> result
             .add(combined, Cells([u, unit](std::size_t) -> Cell {
                      return Measured{u, Measured::Scale::interval, unit};
                  }))
-            .uncertainty();
+            .uncertainty()
+            .of_row({"estimate", combined});
     }
     endResetModel();
 }
@@ -102,6 +103,10 @@ Text BudgetFootModel::text_of(int section) const {
         default:
             return {};
     }
+}
+
+QVariant BudgetFootModel::headerData(int, Qt::Orientation, int) const {
+    return {};
 }
 
 QVariant BudgetFootModel::data(const QModelIndex& index, int role) const {

@@ -25,6 +25,8 @@ public:
     int rowCount(const QModelIndex& parent = {}) const override;
     int columnCount(const QModelIndex& parent = {}) const override;
     QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
+    /// The row has no number.
+    QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
 private:
     /// Text of a section; empty: it says nothing of the result.

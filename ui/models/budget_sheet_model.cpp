@@ -293,7 +293,7 @@ QVariant BudgetSheetModel::data(const QModelIndex& index, int role) const {
     if (is_computed(section)) return computed(index.row(), section, role);
     if (!is_new_row(index.row())) return of_sheet(index.row(), section, role);
     if (role == Qt::ToolTipRole && section == symbol) return tr("Type a name here to add a quantity");
-    if (role == hint_role && section == name) return tr("type, or paste rows");
+    if (role == hint_role && section == name) return tr("type or paste rows");
     if (role == Qt::TextAlignmentRole)
         return QVariant((section == estimate || section == nu ? Qt::AlignRight : Qt::AlignLeft) |
                         Qt::AlignVCenter);
