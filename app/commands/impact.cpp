@@ -161,7 +161,8 @@ Command impact_command(CLI::App& app) {
                  "Exit status 0: all that use it were evaluated; 1: what could not be is named.");
     command->add_option("--replace", arguments->replaced, "the figures of OLD by those of NEW")
         ->type_name("OLD NEW")
-        ->expected(2);
+        ->expected(2)
+        ->allow_extra_args(false);  // what follows is a folder
     command->add_option("--used", arguments->used, "only who used OLD")->type_name("OLD");
     command->add_option("FOLDER", arguments->folders, "folders and files to look through")->required();
     command->add_option("--csv", arguments->csv, "write the table of all results")->type_name("FILE.csv");
