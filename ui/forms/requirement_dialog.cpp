@@ -11,6 +11,7 @@
 
 #include "core/text/symbol.h"
 #include "ui/document/requirement_edits.h"
+#include "ui/forms/finish_typing.h"
 #include "ui/forms/form_labels.h"
 #include "ui/forms/quantity_edit.h"
 #include "ui/theme/core_text.h"
@@ -66,6 +67,7 @@ RequirementDialog::RequirementDialog(const std::vector<OutputQuantity>& outputs,
     column->addLayout(form);
     column->addWidget(buttons);
     connect(buttons, &QDialogButtonBox::accepted, this, [this] {
+        finish_typing();
         for (const Row& row : rows_)
             if (!row.edit->is_valid()) return row.edit->setFocus();
         accept();

@@ -93,20 +93,21 @@ Answer answer_of(const UncertaintyResult& result, std::size_t output, const Docu
     return answer;
 }
 
-/// "U 61 ≤ 70 nm": with the digits that tell them apart.
+/// "U 61 ≤ 70 nm": the target as it was typed, U with two digits, or as many as tell them apart.
 Text target_words(const OutputResult& output, double target, bool met, const DocumentLanguage& in,
                   const DisplayUnits& units) {
-    constexpr int most_digits = 6;
+    constexpr int digits_of_target = 6;
     const Unit unit = readable_unit(target, units.of(output.quantity.unit)).interval();
     const double U = unit.interval_from_si(output.expanded_uncertainty), most = unit.interval_from_si(target);
     if (!std::isfinite(U) || !(most > 0.0)) return {};
-    std::string shown, limit;
-    for (int digits = 2; digits <= most_digits && shown == limit; ++digits) {
-        const int decimals = decimals_for(most, digits);
-        shown = format_decimals(U, decimals);
-        limit = format_decimals(most, decimals);
-        if (U == most) break;
-    }
+    const std::string limit = to_std(QString::number(most, 'g', digits_of_target));
+    const auto is_told_apart = [&](const std::string& shown) {
+        return U == most ||
+               QString::fromStdString(shown).toDouble() != QString::fromStdString(limit).toDouble();
+    };
+    int digits = 2;
+    while (digits < digits_of_target && !is_told_apart(format_decimals(U, decimals_for(U, digits)))) ++digits;
+    const std::string shown = format_decimals(U, decimals_for(U, digits));
     return symbol_text("U") + (" " + grouped_digits(shown, in.numbers()) + (met ? " ≤ " : " > ") +
                                grouped_digits(limit, in.numbers()) + unit_after_number(unit));
 }
