@@ -150,11 +150,11 @@ Command impact_command(CLI::App& app) {
     CLI::App* command = app.add_subcommand(
         "impact", "Which results of which reports and projects change when the figures of a certificate do");
     add_examples(*command,
-                 {{"impact --replace K-2025-114 new.covaria archive --csv impact.csv",
+                 {{"impact --replace 'NI 2025-0933' new.covaria archive --csv impact.csv",
                    "every report and project below archive that used it, evaluated again"},
-                  {"impact --replace tracker new.covaria#as-found archive -o impact.pdf",
-                   "an asset by its id; the new figures are those of one asset of a project"},
-                  {"impact --used K-2025-114 archive", "who used it, without an evaluation"}},
+                  {"impact --replace 'NI 2025-0933' new.covaria#length archive -o impact.pdf",
+                   "the new figures are those of one analysis, or asset, of a project"},
+                  {"impact --used 'NI 2025-0933' archive", "who used it, without an evaluation"}},
                  "OLD: number of a certificate, its file or the SHA-256 of it; else id or name of an asset.\n"
                  "NEW: a project, a report (PDF) or a file of others with the new figures; FILE#ID is one "
                  "asset or analysis of it.\n"

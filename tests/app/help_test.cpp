@@ -66,6 +66,8 @@ fs::path folder_of_examples() {
     const fs::path readers = source / "tests/data/readers";
     fs::copy_file(readers / "bar.xml", folder / "certificate.xml");
     fs::copy_file(readers / "sa-groups.txt", folder / "jig.txt");
+    fs::copy(source / "docs/three-years/2025", folder / "archive");
+    fs::copy_file(source / "docs/three-years/standard/2026-as-found.covaria", folder / "new.covaria");
     write_text(folder / "points.csv", "P,1,2,3,0.001,a\nQ,4,5,6,0.001,b\n");
     write_text(
         folder / "arm.urdf",

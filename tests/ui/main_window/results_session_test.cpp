@@ -223,6 +223,7 @@ TEST_F(ResultsSession, OneDialogRequiresOfAllSelectedResults) {
     QTimer::singleShot(0, [] {
         auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
         ASSERT_NE(dialog, nullptr);
+        QApplication::setActiveWindow(dialog);
         auto* target = dialog->findChild<QLineEdit*>(QStringLiteral("targetUncertainty"));
         ASSERT_NE(target, nullptr);
         target->setFocus();
