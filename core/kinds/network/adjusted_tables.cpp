@@ -36,6 +36,7 @@ Table figures_table(const AdjustedNetwork& network, const adjustment::Reliabilit
     add(tell<"unknowns">(), static_cast<double>(network.place_of.size()));
     add(tell<"what no reading tells (datum defect)">(), static_cast<double>(network.adjusted->defect()));
     add(tell<"degrees of freedom f">(), found.degrees_of_freedom);
+    table.columns.back().rule.by_row.assign(table.rows, 0);  // counts, which have no decimals
     add(tell<"sum of squares vᵀ C⁻¹ v">(), found.sum_of_squares);
     if (found.degrees_of_freedom > 0) add(tell<"s₀ a posteriori">(), found.s0);
     add(tell<"δ₀ of smallest detectable errors (0.1 %, 80 %)">(), adjustment::non_centrality());

@@ -53,6 +53,7 @@ Table summary_table(const DistanceMeterSetup& setup, const DistanceMeterFit& fit
     table.row({tell<"pillars">(), double(setup.pillars.size())});
     table.row({tell<"distances">(), double(setup.readings.size())});
     table.row({tell<"degrees of freedom">(), fit.degrees_of_freedom});
+    table.columns.back().rule.by_row.assign(table.rows, 0);  // counts, which have no decimals
     table.row({tell<"s of one distance">(), in_mm(fit.s)});
     table.row({tell<"standard uncertainty of s">(), in_mm(fit.u_s())});
     table.row({tell<"zero offset, added to a reading">(), in_mm(fit.zero_offset())});
