@@ -169,6 +169,7 @@ QWidget* FigureSourcesForm::make_head() {
     row->setContentsMargins(0, 0, 0, 0);
     row->addWidget(list_, 1);
     for (QToolButton* button : {add, remove_, file_}) row->addWidget(button);
+    row->addStretch(0);  // where there is no list
     connect(add, &QToolButton::clicked, this, &FigureSourcesForm::add_certificate);
     connect(remove_, &QToolButton::clicked, this, &FigureSourcesForm::remove_certificate);
     connect(file_, &QToolButton::clicked, this, &FigureSourcesForm::read_file);
