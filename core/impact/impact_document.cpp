@@ -148,7 +148,7 @@ std::vector<Message> impact_sentences(const Impact& impact) {
         impact.looked_at, impact.using_it.size())};
     if (!impact.rows.empty())
         sentences.push_back(
-            tell<"Of %1 results %2 change, %3 of them in what is stated; %4 verdicts change.">(
+            tell<"Of %1 results %2 change, %3 of them in what is stated; verdicts that change: %4.">(
                 impact.rows.size(), count(is_changed),
                 count([](const ImpactRow& r) { return r.is_to_amend(); }),
                 count([](const ImpactRow& r) { return r.verdict_changes(); })));

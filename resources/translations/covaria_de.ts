@@ -18005,8 +18005,8 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
         <translation>%1 Projekte und Berichte wurden durchgesehen; %2 verwenden die Angaben.</translation>
     </message>
     <message>
-        <source>Of %1 results %2 change, %3 of them in what is stated; %4 verdicts change.</source>
-        <translation>Von %1 Ergebnissen ändern sich %2, davon %3 in dem, was angegeben ist; %4 Urteile ändern sich.</translation>
+        <source>Of %1 results %2 change, %3 of them in what is stated; verdicts that change: %4.</source>
+        <translation>Von %1 Ergebnissen ändern sich %2, davon %3 in dem, was angegeben ist; geänderte Urteile: %4.</translation>
     </message>
     <message>
         <source>%1 could not be evaluated.</source>

@@ -18005,8 +18005,8 @@ nu 18 detrás de cualquiera de ellos: grados de libertad</translation>
         <translation>Se examinaron %1 proyectos e informes; %2 usan las cifras.</translation>
     </message>
     <message>
-        <source>Of %1 results %2 change, %3 of them in what is stated; %4 verdicts change.</source>
-        <translation>De %1 resultados cambian %2, de ellos %3 en lo que se indica; cambian %4 veredictos.</translation>
+        <source>Of %1 results %2 change, %3 of them in what is stated; verdicts that change: %4.</source>
+        <translation>De %1 resultados cambian %2, de ellos %3 en lo que se indica; veredictos que cambian: %4.</translation>
     </message>
     <message>
         <source>%1 could not be evaluated.</source>

@@ -18004,7 +18004,7 @@ sample 1; 2; 3 weights 2; 5; 2 (그대로 뽑음), histogram 0; 1; 2 weights 5; 
         <translation>프로젝트와 보고서 %1개를 살펴보았으며, 그중 %2개가 이 수치를 사용합니다.</translation>
     </message>
     <message>
-        <source>Of %1 results %2 change, %3 of them in what is stated; %4 verdicts change.</source>
+        <source>Of %1 results %2 change, %3 of them in what is stated; verdicts that change: %4.</source>
         <translation>결과 %1개 중 %2개가 바뀌며, 그중 %3개는 기재되는 내용이 바뀝니다. 판정은 %4개가 바뀝니다.</translation>
     </message>
     <message>

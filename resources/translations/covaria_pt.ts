@@ -18005,8 +18005,8 @@ nu 18 atrás de qualquer um deles: graus de liberdade</translation>
         <translation>Foram examinados %1 projetos e relatórios; %2 usam os números.</translation>
     </message>
     <message>
-        <source>Of %1 results %2 change, %3 of them in what is stated; %4 verdicts change.</source>
-        <translation>De %1 resultados mudam %2, %3 deles no que é declarado; mudam %4 vereditos.</translation>
+        <source>Of %1 results %2 change, %3 of them in what is stated; verdicts that change: %4.</source>
+        <translation>De %1 resultados mudam %2, %3 deles no que é declarado; vereditos que mudam: %4.</translation>
     </message>
     <message>
         <source>%1 could not be evaluated.</source>

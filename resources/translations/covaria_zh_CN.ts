@@ -18004,7 +18004,7 @@ sample 1; 2; 3 weights 2; 5; 2（按原样抽取），histogram 0; 1; 2 weights 
         <translation>查看了 %1 个项目和报告；其中 %2 个使用这些数值。</translation>
     </message>
     <message>
-        <source>Of %1 results %2 change, %3 of them in what is stated; %4 verdicts change.</source>
+        <source>Of %1 results %2 change, %3 of them in what is stated; verdicts that change: %4.</source>
         <translation>%1 个结果中有 %2 个变化，其中 %3 个所给出的内容有变化；有 %4 个结论变化。</translation>
     </message>
     <message>
