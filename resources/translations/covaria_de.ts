@@ -20174,8 +20174,8 @@ An diesen Stellen steht „nicht angegeben“. Es sind Felder der Seite des Proj
         <translation>Kalibrierschein %1, noch ohne Namen</translation>
     </message>
     <message>
-        <source>Applicable in %1 analyses.</source>
-        <translation>In %1 Analysen anwendbar.</translation>
+        <source>Analyses in which it is applicable: %1.</source>
+        <translation>Analysen, in denen er anwendbar ist: %1.</translation>
     </message>
     <message>
         <source>No analysis uses these figures.</source>
@@ -21979,7 +21979,7 @@ Verwendet von: %1. Dort steht ein Fehler, bis etwas anderes verwendet wird.</tra
 <context>
     <name>covaria::ui::RequirementDialog</name>
     <message>
-        <source>Require of Results</source>
+        <source>Requirements for Results</source>
         <translation>Anforderungen an Ergebnisse</translation>
     </message>
 </context>

@@ -20174,8 +20174,8 @@ En esos lugares figura “not stated”. Son campos de la página del proyecto.<
         <translation>certificado %1, aún sin nombre</translation>
     </message>
     <message>
-        <source>Applicable in %1 analyses.</source>
-        <translation>Aplicable en %1 análisis.</translation>
+        <source>Analyses in which it is applicable: %1.</source>
+        <translation>Análisis en los que es aplicable: %1.</translation>
     </message>
     <message>
         <source>No analysis uses these figures.</source>
@@ -21979,7 +21979,7 @@ Lo usan: %1. Tendrán un error hasta que usen otra cosa.</translation>
 <context>
     <name>covaria::ui::RequirementDialog</name>
     <message>
-        <source>Require of Results</source>
+        <source>Requirements for Results</source>
         <translation>Exigir a los resultados</translation>
     </message>
 </context>

@@ -20171,7 +20171,7 @@ It says “not stated” in these places. They are fields of the project&apos;s 
         <translation>성적서 %1, 아직 이름 없음</translation>
     </message>
     <message>
-        <source>Applicable in %1 analyses.</source>
+        <source>Analyses in which it is applicable: %1.</source>
         <translation>분석 %1개에서 적용 가능.</translation>
     </message>
     <message>
@@ -21975,7 +21975,7 @@ It is used by: %1. They will have an error until they use something else.</sourc
 <context>
     <name>covaria::ui::RequirementDialog</name>
     <message>
-        <source>Require of Results</source>
+        <source>Requirements for Results</source>
         <translation>결과의 요구사항</translation>
     </message>
 </context>

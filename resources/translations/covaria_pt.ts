@@ -20174,8 +20174,8 @@ Nesses lugares ele diz “não declarado”. São campos da página do projeto.<
         <translation>certificado %1, ainda sem nome</translation>
     </message>
     <message>
-        <source>Applicable in %1 analyses.</source>
-        <translation>Aplicável em %1 análises.</translation>
+        <source>Analyses in which it is applicable: %1.</source>
+        <translation>Análises em que é aplicável: %1.</translation>
     </message>
     <message>
         <source>No analysis uses these figures.</source>
@@ -21979,7 +21979,7 @@ It is used by: %1. They will have an error until they use something else.</sourc
 <context>
     <name>covaria::ui::RequirementDialog</name>
     <message>
-        <source>Require of Results</source>
+        <source>Requirements for Results</source>
         <translation>Exigir dos resultados</translation>
     </message>
 </context>

@@ -20171,7 +20171,7 @@ It says “not stated” in these places. They are fields of the project&apos;s 
         <translation>证书 %1，尚未命名</translation>
     </message>
     <message>
-        <source>Applicable in %1 analyses.</source>
+        <source>Analyses in which it is applicable: %1.</source>
         <translation>在 %1 个分析中适用。</translation>
     </message>
     <message>
@@ -21975,7 +21975,7 @@ It is used by: %1. They will have an error until they use something else.</sourc
 <context>
     <name>covaria::ui::RequirementDialog</name>
     <message>
-        <source>Require of Results</source>
+        <source>Requirements for Results</source>
         <translation>对结果的要求</translation>
     </message>
 </context>

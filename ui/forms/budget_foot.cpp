@@ -50,6 +50,13 @@ void BudgetFoot::align() {
         setColumnHidden(column, sheet_.isColumnHidden(column));
         if (!sheet_.isColumnHidden(column)) setColumnWidth(column, sheet_.columnWidth(column));
     }
+    // As far as the sheet, whose scroll bar takes room, it scrolls with so much behind its last column.
+    for (int column = model()->columnCount() - 1; column >= 0; --column) {
+        if (isColumnHidden(column)) continue;
+        const QScrollBar& bar = *sheet_.verticalScrollBar();
+        setColumnWidth(column, columnWidth(column) + (bar.isVisible() ? bar.width() : 0));
+        break;
+    }
     verticalHeader()->setFixedWidth(sheet_.verticalHeader()->width());
     setFixedHeight(verticalHeader()->defaultSectionSize() + 2);
     horizontalScrollBar()->setValue(sheet_.horizontalScrollBar()->value());

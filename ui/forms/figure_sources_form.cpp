@@ -92,7 +92,7 @@ QString verdict_words(const MadeProject& made, const std::string& place) {
             else
                 words << QStringLiteral("%1: %2").arg(to_qt(analysis.name), to_qt(sentence_of(use)));
         }
-    if (applicable > 0) words.prepend(FigureSourcesForm::tr("Applicable in %1 analyses.").arg(applicable));
+    if (applicable > 0) words.prepend(FigureSourcesForm::tr("Analyses in which it is applicable: %1.").arg(applicable));
     return words.isEmpty() ? FigureSourcesForm::tr("No analysis uses these figures.")
                            : words.join(QLatin1Char('\n'));
 }

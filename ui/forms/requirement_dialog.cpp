@@ -9,6 +9,7 @@
 #include <array>
 #include <string_view>
 
+#include "core/base/message.h"
 #include "core/text/symbol.h"
 #include "ui/document/requirement_edits.h"
 #include "ui/forms/finish_typing.h"
@@ -40,7 +41,7 @@ QString names_of(const std::vector<OutputQuantity>& outputs) {
 RequirementDialog::RequirementDialog(const std::vector<OutputQuantity>& outputs, const Requirement* now,
                                      const DisplayUnits& units, QWidget* parent)
     : QDialog(parent) {
-    setWindowTitle(tr("Require of Results"));
+    setWindowTitle(tr("Requirements for Results"));
     auto* words = new QLabel(names_of(outputs));
     words->setWordWrap(true);
     auto* form = new QFormLayout;
@@ -70,9 +71,24 @@ RequirementDialog::RequirementDialog(const std::vector<OutputQuantity>& outputs,
         finish_typing();
         for (const Row& row : rows_)
             if (!row.edit->is_valid()) return row.edit->setFocus();
+        if (!are_limits_in_order()) return;
         accept();
     });
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+}
+
+bool RequirementDialog::are_limits_in_order() {
+    QuantityEdit *lower = nullptr, *upper = nullptr;
+    for (const Row& row : rows_) {
+        if (row.field.key == std::string_view("lowerLimit")) lower = row.edit;
+        if (row.field.key == std::string_view("upperLimit")) upper = row.edit;
+    }
+    const bool wrong =
+        lower->quantity() && upper->quantity() && !(lower->quantity()->si() < upper->quantity()->si());
+    upper->set_complaint(wrong ? to_qt(tell<"the %1 must be above the lower limit">(tell<"upper limit">()))
+                               : QString());
+    if (wrong) upper->setFocus();
+    return !wrong;
 }
 
 void RequirementDialog::apply_to(Requirement& requirement) const {

@@ -30,6 +30,9 @@ private:
         QuantityEdit* edit;
         bool is_typed = false;
     };
+    /// Marks the upper limit where it is not above the lower one.
+    bool are_limits_in_order();
+
     std::vector<Row> rows_;
 };
 

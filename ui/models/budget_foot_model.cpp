@@ -73,8 +73,11 @@ Text BudgetFootModel::stated() const {
     if (!(of.expanded_uncertainty > 0.0) || !std::isfinite(of.coverage_factor)) return {};
     const TableView view{units_of_contributions_, digits_, in};
     const Unit unit = units_of_contributions_.of(of.quantity.unit).interval();
-    return symbol_text("U") + " = " + written(table_, table_["U"], 0, view) + unit_after_number(unit) + ", " +
-           symbol_text("k") + " = " + written(table_, table_["k"], 0, view);
+    Text words = symbol_text("U") + " = " + written(table_, table_["U"], 0, view) + unit_after_number(unit) +
+                 ", " + symbol_text("k") + " = " + written(table_, table_["k"], 0, view);
+    // The columns are about the law of propagation.
+    if (of.monte_carlo) words += "; " + to_std(core_text("Monte Carlo"));
+    return words;
 }
 
 Text BudgetFootModel::text_of(int section) const {

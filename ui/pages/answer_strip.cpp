@@ -252,9 +252,9 @@ QString AnswerStrip::statements() const {
 void AnswerStrip::give_way() {
     const auto has_room = [this] {
         int wanted = 2 * side_room + 5 * part_room;
-        for (const QWidget* part : std::initializer_list<const QWidget*>{value_, coverage_, outputs_, copy_})
+        for (const QWidget* part : std::initializer_list<const QWidget*>{value_, coverage_, copy_})
             wanted += part->sizeHint().width();
-        for (const QWidget* part : std::initializer_list<const QWidget*>{verdict_, next_})
+        for (const QWidget* part : std::initializer_list<const QWidget*>{verdict_, next_, outputs_})
             if (!part->isHidden()) wanted += part->sizeHint().width() + part_room;
         return wanted <= width();
     };

@@ -55,12 +55,12 @@ TEST_F(FigureSourcesFormTest, TheVerdictFollowsTheDates) {
     EXPECT_TRUE(says("expired"));
     type("validUntil", QStringLiteral("2027-01-31"));
     EXPECT_EQ(analysis().certificates[0].valid_until, "2027-01-31");
-    EXPECT_TRUE(says("Applicable in 1 analyses."));
+    EXPECT_TRUE(says("applicable: 1."));
     document.undo();
     EXPECT_TRUE(says("expired"));
     type("measured", QStringLiteral("2026-01-30"));
     EXPECT_EQ(analysis().measured, "2026-01-30");
-    EXPECT_TRUE(says("Applicable in 1 analyses.")) << "another day of measurement";
+    EXPECT_TRUE(says("applicable: 1.")) << "another day of measurement";
 }
 
 TEST_F(FigureSourcesFormTest, CertificatesAreAddedTypedAndRemoved) {
