@@ -73,11 +73,8 @@ Text BudgetFootModel::stated() const {
     if (!(of.expanded_uncertainty > 0.0) || !std::isfinite(of.coverage_factor)) return {};
     const TableView view{units_of_contributions_, digits_, in};
     const Unit unit = units_of_contributions_.of(of.quantity.unit).interval();
-    Text words = symbol_text("U") + " = " + written(table_, table_["U"], 0, view) + unit_after_number(unit) +
-                 ", " + symbol_text("k") + " = " + written(table_, table_["k"], 0, view);
-    // The columns are about the law of propagation.
-    if (of.monte_carlo) words += "; " + to_std(core_text("Monte Carlo"));
-    return words;
+    return symbol_text("U") + " = " + written(table_, table_["U"], 0, view) + unit_after_number(unit) + ", " +
+           symbol_text("k") + " = " + written(table_, table_["k"], 0, view);
 }
 
 Text BudgetFootModel::text_of(int section) const {
@@ -103,6 +100,8 @@ Text BudgetFootModel::text_of(int section) const {
                            {units_of_contributions_, digits_, language_of_window()});
         case Sheet::share:
             return of.first_order.standard_uncertainty > 0.0 ? Text("100") : Text();
+        case Sheet::source:  // of U: the other columns are about the law of propagation
+            return of.monte_carlo ? symbol_text("U") + (": " + to_std(core_text("Monte Carlo"))) : Text();
         default:
             return {};
     }
@@ -123,7 +122,9 @@ QVariant BudgetFootModel::data(const QModelIndex& index, int role) const {
         case Qt::FontRole: {
             QFont bold;
             bold.setWeight(QFont::DemiBold);
-            return section == Sheet::stated || section == Sheet::unit ? QVariant() : QVariant(bold);
+            return section == Sheet::stated || section == Sheet::unit || section == Sheet::source
+                       ? QVariant()
+                       : QVariant(bold);
         }
         case Qt::TextAlignmentRole:
             return QVariant((is_number(section) ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
@@ -132,9 +133,9 @@ QVariant BudgetFootModel::data(const QModelIndex& index, int role) const {
                             : QVariant(QGuiApplication::palette().color(QPalette::Disabled, QPalette::Text));
         case Qt::ToolTipRole:
             if (!current_) return tr("Out of date: being computed.");
-            return section == Sheet::u || section == Sheet::contribution
-                       ? tr("Combined standard uncertainty by the law of propagation")
-                       : QVariant();
+            if (section == Sheet::u || section == Sheet::contribution)
+                return tr("Combined standard uncertainty by the law of propagation");
+            return section == Sheet::stated ? to_qt(to_unicode(text_of(Sheet::source))) : QVariant();
         default:
             return {};
     }
