@@ -2,6 +2,7 @@
 
 #include <QPainter>
 #include <cmath>
+#include <utility>
 
 #include "ui/theme/label_text.h"
 #include "ui/theme/strings.h"
@@ -23,7 +24,8 @@ void TypesetLabel::show_text(const Text& text) {
 }
 
 void TypesetLabel::set_rank(int rank) {
-    rank_ = rank;
+    if (std::exchange(rank_, rank) == rank) return;
+    updateGeometry();  // the first rank has wider letters
     update();
 }
 

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QScrollBar>
 #include <QStandardItemModel>
@@ -15,6 +16,7 @@
 #include "ui/theme/quiet_table.h"
 #include "ui/theme/strings.h"
 #include "ui/theme/theme.h"
+#include "ui/theme/typeset_label.h"
 
 namespace covaria::ui::typeset_test {
 namespace {
@@ -284,6 +286,24 @@ TEST(Shortened, LabelsThatWouldLookAlikeAreCutWhereTheyAreAlike) {
     EXPECT_EQ(apart[2], names[2]);
     for (const Text& label : apart) EXPECT_LE(text_width(label, font), 0.6 * room);
     EXPECT_EQ(shortened_apart({"alike", "alike"}, font, 0.0).front(), Text("…")) << "the same name twice";
+}
+
+TEST(TypesetLabels, HaveTheRoomOfTheirLettersInEveryRank) {
+    QWidget strip;
+    auto* row = new QHBoxLayout(&strip);
+    auto* label = new TypesetLabel(TextSize::answer);
+    row->addWidget(label);
+    row->addStretch(1);
+    label->show_text(Text("(49.999 926 ± 0.000 066) mm"));
+    label->set_rank(3);
+    strip.resize(900, 60);
+    strip.show();
+    QApplication::processEvents();
+    const int faint = label->width();
+    label->set_rank(1);
+    QApplication::processEvents();
+    EXPECT_GT(label->width(), faint) << "its letters are wider";
+    EXPECT_GE(label->width(), label->sizeHint().width());
 }
 
 }  // namespace
