@@ -5,27 +5,28 @@
 
 namespace covaria::adjustment {
 
-GroupTest test_of_group(const Adjustment& adjustment, const SparseRows& whitening,
-                        const Eigen::VectorXd& residuals, const std::vector<std::size_t>& readings) {
+GroupTests::GroupTests(const Adjustment& adjustment, const SparseRows& whitening,
+                       const Eigen::VectorXd& residuals)
+    : errors_(whitening) {
+    for (Eigen::Index i = 0; i < errors_.cols(); ++i) errors_.col(i) /= errors_.col(i).norm();
+    along_ = errors_.transpose() * (whitening * residuals);
+    by_unknowns_ = adjustment.whitened().transpose() * errors_;
+    changes_.resize(by_unknowns_.rows(), by_unknowns_.cols());
+    for (Eigen::Index i = 0; i < changes_.cols(); ++i) changes_.col(i) = adjustment.step(by_unknowns_.col(i));
+}
+
+GroupTest GroupTests::of(const std::vector<std::size_t>& readings) const {
     constexpr double least_controlled = 1e-6;
     const auto k = static_cast<Eigen::Index>(readings.size());
-    const Eigen::VectorXd weighted = whitening * residuals;
-    // The matrix E selects the readings, at a size of one each: S = Eᵀ C⁻¹ Q_vv C⁻¹ E and t = Eᵀ C⁻¹ v.
+    // S = Eᵀ C⁻¹ Q_vv C⁻¹ E of these readings.
     Eigen::MatrixXd S(k, k);
     Eigen::VectorXd t(k);
-    std::vector<Eigen::VectorXd> columns, by_unknowns;
-    for (const std::size_t i : readings) {
-        const Eigen::VectorXd unit = Eigen::VectorXd::Unit(whitening.rows(), static_cast<Eigen::Index>(i));
-        columns.push_back((whitening * unit).normalized());
-        by_unknowns.push_back(adjustment.whitened().transpose() * columns.back());
-    }
     for (Eigen::Index j = 0; j < k; ++j) {
-        const auto b = static_cast<std::size_t>(j);
-        const Eigen::VectorXd changes = adjustment.step(by_unknowns[b]);
-        t[j] = columns[b].dot(weighted);
+        const auto b = static_cast<Eigen::Index>(readings[static_cast<std::size_t>(j)]);
+        t[j] = along_[b];
         for (Eigen::Index i = 0; i < k; ++i) {
-            const auto a = static_cast<std::size_t>(i);
-            S(i, j) = columns[a].dot(columns[b]) - by_unknowns[a].dot(changes);
+            const auto a = static_cast<Eigen::Index>(readings[static_cast<std::size_t>(i)]);
+            S(i, j) = errors_.col(a).dot(errors_.col(b)) - by_unknowns_.col(a).dot(changes_.col(b));
         }
     }
     const auto svd = singular_values(Eigen::MatrixXd(0.5 * (S + S.transpose())), Eigen::ComputeFullU);

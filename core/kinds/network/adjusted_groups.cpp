@@ -50,10 +50,10 @@ std::vector<GroupOfReadings> groups_of(const AdjustedNetwork& network) {
     if (network.readings.size() * network.place_of.size() > most_work) return {};
     if (network.adjusted->degrees_of_freedom() == 0) return {};
     std::vector<GroupOfReadings> groups = candidates(network);
-    const Eigen::VectorXd residuals = residuals_of(network, network.state.data());
-    for (GroupOfReadings& group : groups)
-        group.test =
-            adjustment::test_of_group(*network.adjusted, network.whitening, residuals, group.readings);
+    if (groups.empty()) return {};
+    const adjustment::GroupTests tests(*network.adjusted, network.whitening,
+                                       residuals_of(network, network.state.data()));
+    for (GroupOfReadings& group : groups) group.test = tests.of(group.readings);
     std::erase_if(groups, [](const GroupOfReadings& group) { return group.test.redundancy == 0; });
     std::ranges::stable_sort(groups, {}, [](const GroupOfReadings& group) { return group.test.p; });
     return groups;

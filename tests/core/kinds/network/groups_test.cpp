@@ -59,11 +59,11 @@ TEST(GroupsOfReadings, WithoutOneTheSumOfSquaresFallsByItsTest) {
 TEST(GroupsOfReadings, OneReadingIsItsW) {
     const Adjusted all(levelling());
     ASSERT_TRUE(all.network && all.network->adjusted);
+    const adjustment::GroupTests tests(*all.network->adjusted, all.network->whitening,
+                                       residuals_of(*all.network, all.network->state.data()));
     for (std::size_t i = 0; i < all.network->readings.size(); ++i) {
         const double w = all.network->reliability.readings[i].w;
-        const adjustment::GroupTest test =
-            adjustment::test_of_group(*all.network->adjusted, all.network->whitening,
-                                      residuals_of(*all.network, all.network->state.data()), {i});
+        const adjustment::GroupTest test = tests.of({i});
         EXPECT_NEAR(test.statistic, w * w, 1e-9 * std::max(1.0, w * w));
         EXPECT_EQ(test.redundancy, 1);
     }
