@@ -20,6 +20,15 @@ std::vector<ui::ReportFormat> formats_of(const std::vector<std::string>& names) 
     return formats;
 }
 
+ui::ReportTarget target_of(const ReportFiles& files) {
+    ui::ReportTarget target;
+    target.folder = files.folder;
+    target.name = files.name;
+    target.formats = formats_of(files.formats);
+    target.paper = files.paper == "letter" ? ui::PaperSize::letter : ui::PaperSize::a4;
+    return target;
+}
+
 }  // namespace
 
 Result<void> write_into_one_file(const std::string& file, ReportFiles& files) {
@@ -33,19 +42,21 @@ Result<void> write_into_one_file(const std::string& file, ReportFiles& files) {
     return {};
 }
 
+Result<void> write_document(const ReportDocument& document, const ReportFiles& files,
+                            const std::stop_token& stop) {
+    const auto application = make_application(Platform::offscreen);
+    return ui::export_report(document, target_of(files), {}, stop);
+}
+
 Result<void> write_document(const ReportDocument& document, const ReportSource& source,
                             const ReportFiles& files, const std::stop_token& stop) {
     const auto application = make_application(Platform::offscreen);
     ui::ScenePictures scenes(source);
     const ui::FigurePainters painters = ui::report_painters(scenes);
-    ui::ReportTarget target;
-    target.folder = files.folder;
-    target.name = files.name;
-    target.formats = formats_of(files.formats);
+    ui::ReportTarget target = target_of(files);
     if (std::find(target.formats.begin(), target.formats.end(), ui::ReportFormat::pdf) !=
         target.formats.end())
         target.attached = report_data(source);
-    target.paper = files.paper == "letter" ? ui::PaperSize::letter : ui::PaperSize::a4;
     auto written = ui::export_report(document, target, painters, stop);
     if (!written && !scenes.problem().empty()) written.error().message += ": " + scenes.problem();
     return written;

@@ -20,6 +20,9 @@ struct ReportFiles {
 /// The folder, name and format of one file: "out/cert.pdf". Error{usage}: its ending names no format.
 Result<void> write_into_one_file(const std::string& file, ReportFiles& files);
 
+/// Writes a document that shows no pictures and carries no project.
+Result<void> write_document(const ReportDocument& document, const ReportFiles& files,
+                            const std::stop_token& stop);
 /// Writes a document of any kind: a report, a certificate.
 Result<void> write_document(const ReportDocument& document, const ReportSource& source,
                             const ReportFiles& files, const std::stop_token& stop);

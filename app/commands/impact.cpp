@@ -4,20 +4,18 @@
 #include <cstdio>
 #include <memory>
 
-#include "app/application.h"
 #include "app/commands/commands.h"
 #include "app/commands/run_options.h"
 #include "app/evaluation.h"
 #include "app/examples_of_command.h"
 #include "app/exit_status.h"
+#include "app/report_files.h"
 #include "app/terminal.h"
 #include "core/base/file_io.h"
 #include "core/base/sha256.h"
-#include "core/document/document_writers.h"
 #include "core/impact/impact_document.h"
 #include "core/result_files/csv_writer.h"
 #include "core/text/numbers.h"
-#include "ui/print/pdf_report.h"
 
 namespace covaria {
 namespace {
@@ -37,11 +35,8 @@ Result<void> check_arguments(const ImpactArguments& arguments) {
         return fail(
             ErrorCode::usage,
             "say what is replaced by what (--replace OLD NEW), or whose users are asked for (--used OLD)");
-    const std::string& output = arguments.output;
-    if (!output.empty() && !output.ends_with(".pdf") && !output.ends_with(".html") &&
-        !output.ends_with(".md"))
-        return fail(ErrorCode::usage, "the name '" + output + "' must end in .pdf, .html or .md");
-    return {};
+    ReportFiles named;
+    return arguments.output.empty() ? Result<void>{} : write_into_one_file(arguments.output, named);
 }
 
 /// The name that old figures are called by; a file stands for its digest, so that a certificate is found by
@@ -95,19 +90,16 @@ void print_impact(const Impact& impact, bool users_only) {
     for (const Message& sentence : impact_sentences(impact)) std::printf("%s\n", sentence.english().c_str());
 }
 
-Result<void> write_impact_document(const ImpactArguments& arguments, const Impact& impact) {
+Result<void> write_impact_document(const ImpactArguments& arguments, const Impact& impact,
+                                   const std::stop_token& stop) {
+    ReportFiles files;
+    if (auto named = write_into_one_file(arguments.output, files); !named) return named;
     const ImpactWords words{arguments.replaced[0], arguments.replaced[1], arguments.folders};
-    const ReportDocument document = build_impact(words, impact);
-    const std::string& file = arguments.output;
-    if (file.ends_with(".md")) return write_file_atomically(file, to_markdown(document));
-    if (file.ends_with(".html")) return write_file_atomically(file, to_html(document));
-    const auto application = make_application(Platform::offscreen);
-    const auto bytes = ui::pdf_bytes(document, {});
-    if (!bytes) return fail(bytes.error());
-    return write_file_atomically(file, *bytes);
+    return write_document(build_impact(words, impact), files, stop);
 }
 
-Result<void> write_files(const ImpactArguments& arguments, const Impact& impact) {
+Result<void> write_files(const ImpactArguments& arguments, const Impact& impact,
+                         const std::stop_token& stop) {
     if (!arguments.csv.empty())
         if (auto written = write_file_atomically(arguments.csv, to_csv(impact_table(impact))); !written)
             return written;
@@ -116,8 +108,9 @@ Result<void> write_files(const ImpactArguments& arguments, const Impact& impact)
         for (const std::string& name : impact.to_amend()) list += name + "\n";
         if (auto written = write_file_atomically(arguments.amend, list); !written) return written;
     }
-    return arguments.output.empty() || arguments.replaced.empty() ? Result<void>{}
-                                                                  : write_impact_document(arguments, impact);
+    return arguments.output.empty() || arguments.replaced.empty()
+               ? Result<void>{}
+               : write_impact_document(arguments, impact, stop);
 }
 
 /// Shows the impact; returns whether everything could be evaluated.
@@ -139,7 +132,7 @@ Result<bool> show_impact(const ImpactArguments& arguments, const std::stop_token
     end_progress_line();
     if (!impact) return fail(impact.error());
     print_impact(*impact, arguments.replaced.empty());
-    if (auto written = write_files(arguments, *impact); !written) return fail(written.error());
+    if (auto written = write_files(arguments, *impact, stop); !written) return fail(written.error());
     return impact->failures.empty();
 }
 

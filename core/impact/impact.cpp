@@ -1,11 +1,9 @@
 #include "core/impact/impact.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <set>
 #include <system_error>
-#include <thread>
 
 #include "core/base/file_io.h"
 #include "core/base/guarded.h"
@@ -15,6 +13,7 @@
 #include "core/made/load_project.h"
 #include "core/pdf/pdf_archive.h"
 #include "core/project/stated_requirements.h"
+#include "core/propagation/parallel_blocks.h"
 #include "core/propagation/requirements.h"
 #include "core/views/result_statement.h"
 
@@ -188,43 +187,20 @@ double size_of(const ImpactRow& row) {
     return std::isnan(value) || std::isnan(spread) ? infinity : std::max(value, spread);
 }
 
-/// A run over files, several at a time on threads; the answer of each file is kept at its place.
-class FileRun {
-public:
-    FileRun(const ImpactQuestion& question, const RunControl& control)
-        : question_(question), control_(control), files_(question.files.size()) {}
-
-    std::vector<FileImpact> run() {
-        const auto machine = static_cast<int>(std::thread::hardware_concurrency());
-        const int threads = std::max(1, control_.threads > 0 ? control_.threads : machine);
-        {
-            std::vector<std::jthread> others;
-            for (int i = 1; i < threads && static_cast<std::size_t>(i) < files_.size(); ++i)
-                others.emplace_back([this] { work({}); });
-            work(control_.progress);
-        }
-        return std::move(files_);
-    }
-
-private:
-    void work(const std::function<void(const Progress&)>& progress) {
-        for (std::size_t i = next_++; i < files_.size() && !control_.stop.stop_requested(); i = next_++) {
-            auto answer =
-                guarded([&] { return FileQuestion(question_, question_.files[i], control_).answer(); });
-            if (answer)
-                files_[i] = *std::move(answer);
-            else
-                files_[i].causes.push_back(answer.error().message);
-            const std::size_t done = ++done_;
-            if (progress) progress({done, files_.size()});
-        }
-    }
-
-    const ImpactQuestion& question_;
-    const RunControl& control_;
-    std::vector<FileImpact> files_;
-    std::atomic<std::size_t> next_ = 0, done_ = 0;
-};
+/// The answers of all files, each at its place.
+std::vector<FileImpact> answers(const ImpactQuestion& question, const RunControl& control) {
+    std::vector<FileImpact> files(question.files.size());
+    detail::RunMonitor monitor(control, files.size());
+    detail::run_each(files.size(), monitor, [&](std::uint64_t i) {
+        auto answer = guarded([&] { return FileQuestion(question, question.files[i], control).answer(); });
+        if (answer)
+            files[i] = *std::move(answer);
+        else
+            files[i].causes.push_back(answer.error().message);
+        monitor.advance(1);
+    });
+    return files;
+}
 
 }  // namespace
 
@@ -271,7 +247,7 @@ Result<std::vector<fs::path>> files_below(const std::vector<std::string>& folder
 }
 
 Result<Impact> impact_of(const ImpactQuestion& question, const RunControl& control) {
-    std::vector<FileImpact> files = FileRun(question, control).run();
+    std::vector<FileImpact> files = answers(question, control);
     if (control.stop.stop_requested())
         return fail(ErrorCode::cancelled, tell<"the evaluation was stopped">());
     Impact impact;

@@ -76,8 +76,7 @@ std::vector<UsedValue> used_values(const MadeProject& made, const AnalysisEntry&
 }
 
 std::string text_of(const Quantity& quantity) {
-    const std::string unit = quantity.unit.text();
-    return readable_number(quantity.value) + (unit == "1" ? "" : " " + unit);
+    return quantity_words(quantity.value, quantity.unit);
 }
 
 std::string text_of(const CertifiedRange& range) {
