@@ -9,15 +9,15 @@ namespace covaria {
 
 using Days = std::chrono::sys_days;
 
-/// Nothing for what is no date of the calendar.
+/// The day of a text; nothing where it is no date of the calendar.
 std::optional<Days> date_of(std::string_view text);
 
-/// First and last day.
+/// A period by its first and its last day.
 struct Period {
     Days first, last;
     bool operator==(const Period&) const = default;
 };
-/// Of a date, or of two with '/' between them in their order.
+/// The period of a date, or of two dates in their order with '/' between them; nothing for another text.
 std::optional<Period> period_of(std::string_view text);
 
 }  // namespace covaria
