@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/project/asides.h"
 #include "core/project/entry_graph.h"
 #include "core/project/linked_files.h"
 #include "core/project/project.h"
@@ -63,16 +64,13 @@ KeptState state_to_keep(const Project& project, const std::string& analysis, con
 
 KeptState state_to_keep(Project of_results, const Project& now, const std::string& analysis,
                         const std::string& at) {
+    for (AssetEntry& entry : of_results.assets)
+        if (const AssetEntry* present = now.find_asset(entry.id)) take_asides(entry, *present);
     for (AnalysisEntry& entry : of_results.analyses) {
         const AnalysisEntry* present = now.find_analysis(entry.id);
         if (!present) continue;
-        entry.notes = present->notes;
+        take_asides(entry, *present);
         entry.studies = present->studies;
-        entry.designs = present->designs;
-        entry.views = present->views;
-        entry.quantity_notes = present->quantity_notes;
-        entry.measured = present->measured;
-        entry.certificates = present->certificates;
     }
     return state_to_keep(of_results, analysis, at);
 }

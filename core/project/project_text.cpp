@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/project/analysis_fields.h"
+#include "core/project/asides.h"
 #include "core/project/asset_certificate_fields.h"
 #include "core/project/certificate_json.h"
 #include "core/project/json_writer.h"
@@ -102,21 +103,12 @@ Project numbers_only(Project project) {
     project.kept.clear();
     std::ranges::sort(project.assets, {}, &AssetEntry::id);
     for (AssetEntry& asset : project.assets) {
-        asset.name.clear();
-        asset.notes.clear();
-        asset.certificates.clear();
+        take_asides(asset, {});
         keep_numbers(asset.setup);
     }
     for (AnalysisEntry& analysis : project.analyses) {
-        analysis.name.clear();
-        analysis.notes.clear();
-        analysis.requirements.clear();
+        take_asides(analysis, {});
         for (Study& study : analysis.studies) study.name.clear();
-        analysis.designs.clear();
-        analysis.views.clear();
-        analysis.quantity_notes.clear();
-        analysis.measured.clear();
-        analysis.certificates.clear();
         keep_numbers(analysis.setup);
         for (InputEdit& edit : analysis.inputs) {
             if (!edit.components) continue;

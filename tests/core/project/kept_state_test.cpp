@@ -27,11 +27,16 @@ TEST(KeptState, KeepsTheNumbersOfTheResultsAndAllElseAsItIsNow) {
     Project now = of_results;
     now.analyses.front().designs.push_back({.id = "design-new", .name = "Added while results were made"});
     now.analyses.front().notes = "written since";
+    now.analyses.front().requirements.push_back({.group = "", .symbol = "required since"});
+    now.assets.front().notes = "said since";
     now.analyses.front().options.seed += 1;
     const KeptState kept = state_to_keep(of_results, now, some_analysis(now), when);
     const AnalysisEntry& entry = kept.project->analyses.front();
     EXPECT_EQ(entry.designs, now.analyses.front().designs);
     EXPECT_EQ(entry.notes, now.analyses.front().notes);
+    EXPECT_EQ(entry.requirements, now.analyses.front().requirements);
+    EXPECT_EQ(kept.project->assets.front().notes, "said since");
+    EXPECT_EQ(fingerprint(*kept.project), fingerprint(of_results)) << "no number is another";
     EXPECT_EQ(entry.options, of_results.analyses.front().options);
 }
 
