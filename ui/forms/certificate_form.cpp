@@ -230,12 +230,8 @@ void CertificateForm::refresh_state() {
 }
 
 void CertificateForm::refresh_problems() {
-    for (const Row& row : rows_) {
-        QStringList messages;
-        for (const Problem& problem : document_.problems().items())
-            if (problem.path == pointer_of(*row.field)) messages << to_qt(problem.message);
-        row.editor->set_complaint(messages.join(QLatin1Char('\n')));
-    }
+    for (const Row& row : rows_)
+        row.editor->set_complaint(problems_at(document_.problems(), pointer_of(*row.field)));
 }
 
 bool CertificateForm::focus_field(const std::string& path) {

@@ -4,10 +4,12 @@
 #include <QAbstractItemView>
 #include <QEvent>
 #include <QPalette>
+#include <QStringList>
 #include <QVariant>
 #include <algorithm>
 
 #include "ui/theme/follow_font.h"
+#include "ui/theme/strings.h"
 
 namespace covaria::ui {
 
@@ -40,6 +42,14 @@ protected:
 private:
     QLabel& label_;
 };
+
+template <class Is>
+QString words_where(const Problems& problems, Is is) {
+    QStringList words;
+    for (const Problem& problem : problems.items())
+        if (is(problem.path)) words << to_qt(problem.message);
+    return words.join(QLatin1Char('\n'));
+}
 
 }  // namespace
 
@@ -88,6 +98,15 @@ void show_note(QLabel& label, const QString& text) {
 
 QString complaint_of(const QWidget& widget) {
     return widget.property(property).toString();
+}
+
+QString problems_at(const Problems& problems, const std::string& path) {
+    return words_where(problems, [&](const std::string& at) { return at == path; });
+}
+
+QString problems_below(const Problems& problems, const std::string& place) {
+    return words_where(problems,
+                       [within = place + "/"](const std::string& at) { return at.starts_with(within); });
 }
 
 }  // namespace covaria::ui

@@ -10,6 +10,7 @@
 
 #include "core/project/options_json.h"
 #include "ui/document/setup_address.h"
+#include "ui/forms/complaint.h"
 #include "ui/forms/form_labels.h"
 #include "ui/forms/whole_text.h"
 #include "ui/theme/core_text.h"
@@ -478,13 +479,8 @@ void DesignsForm::refresh_problems() {
     if (!entry() || !design()) return;
     const TextPlace here = place("/variables/");
     const std::string prefix = entry_path(document_.project(), here.entry) + here.part;
-    for (std::size_t i = 0; i < variable_edits_.size(); ++i) {
-        QStringList messages;
-        for (const Problem& problem : document_.problems().items())
-            if (problem.path.starts_with(prefix + std::to_string(i) + "/"))
-                messages << to_qt(problem.message);
-        variable_edits_[i]->set_complaint(messages.join(QLatin1Char('\n')));
-    }
+    for (std::size_t i = 0; i < variable_edits_.size(); ++i)
+        variable_edits_[i]->set_complaint(problems_below(document_.problems(), prefix + std::to_string(i)));
 }
 
 bool DesignsForm::focus_field(const std::string& path) {

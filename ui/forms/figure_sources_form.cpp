@@ -15,6 +15,7 @@
 #include "core/base/file_io.h"
 #include "core/base/sha256.h"
 #include "core/made/applicability.h"
+#include "ui/forms/complaint.h"
 #include "ui/forms/date_editor.h"
 #include "ui/forms/form_labels.h"
 #include "ui/forms/simple_editors.h"
@@ -92,7 +93,8 @@ QString verdict_words(const MadeProject& made, const std::string& place) {
             else
                 words << QStringLiteral("%1: %2").arg(to_qt(analysis.name), to_qt(sentence_of(use)));
         }
-    if (applicable > 0) words.prepend(FigureSourcesForm::tr("Analyses in which it is applicable: %1.").arg(applicable));
+    if (applicable > 0)
+        words.prepend(FigureSourcesForm::tr("Analyses in which it is applicable: %1.").arg(applicable));
     return words.isEmpty() ? FigureSourcesForm::tr("No analysis uses these figures.")
                            : words.join(QLatin1Char('\n'));
 }
@@ -149,12 +151,11 @@ FigureSourcesForm::FigureSourcesForm(Document& document, const SetupAddress& ent
     verdict_->setObjectName(QStringLiteral("figures_verdict"));
     verdict_->setWordWrap(true);
     column->addWidget(verdict_);
-    connect(list_, &QComboBox::activated, this, &FigureSourcesForm::refresh);
+    connect(list_, &QComboBox::activated, this, &FigureSourcesForm::show_chosen);
     connect(&document_, &Document::project_changed, this, &FigureSourcesForm::refresh);
     connect(&document_.maker(), &ProjectMaker::made_changed, this, &FigureSourcesForm::refresh_verdict);
     connect(&document_, &Document::problems_changed, this, &FigureSourcesForm::refresh_problems);
-    refresh();
-    refresh_problems();
+    show_chosen();
 }
 
 QWidget* FigureSourcesForm::make_head() {
@@ -242,7 +243,7 @@ void FigureSourcesForm::add_certificate() {
         if (auto* all = find_certificates(project, entry_)) all->emplace_back();
     });
     list_->setCurrentIndex(list_->count() - 1);
-    refresh();
+    show_chosen();
     if (!rows_.empty()) rows_.front().editor->focus_part({});
 }
 
@@ -291,6 +292,10 @@ void FigureSourcesForm::refresh() {
             row.editor->set_value(text.empty() ? SetupValue() : SetupValue(text));
         }
     }
+}
+
+void FigureSourcesForm::show_chosen() {
+    refresh();
     refresh_verdict();
     refresh_problems();
 }
@@ -307,14 +312,9 @@ void FigureSourcesForm::refresh_verdict() {
 
 void FigureSourcesForm::refresh_problems() {
     const std::string here = list_path() + "/" + std::to_string(std::max(0, list_->currentIndex())) + "/";
-    const auto complaints = [&](const std::string& path) {
-        QStringList messages;
-        for (const Problem& problem : document_.problems().items())
-            if (problem.path == path) messages << to_qt(problem.message);
-        return messages.join(QLatin1Char('\n'));
-    };
-    for (const Row& row : rows_) row.editor->set_complaint(complaints(here + row.text->key));
-    if (measured_) measured_->editor().set_complaint(complaints(measured_->path()));
+    for (const Row& row : rows_)
+        row.editor->set_complaint(problems_at(document_.problems(), here + row.text->key));
+    if (measured_) measured_->editor().set_complaint(problems_at(document_.problems(), measured_->path()));
 }
 
 bool FigureSourcesForm::focus_field(const std::string& path) {
@@ -325,7 +325,7 @@ bool FigureSourcesForm::focus_field(const std::string& path) {
     const std::string prefix = list_path() + "/";
     if (!path.starts_with(prefix)) return false;
     list_->setCurrentIndex(static_cast<int>(std::strtoul(path.c_str() + prefix.size(), nullptr, 10)));
-    refresh();
+    show_chosen();
     for (const Row& row : rows_)
         if (path.ends_with(std::string("/") + row.text->key)) row.editor->focus_part({});
     return true;

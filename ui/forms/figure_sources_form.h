@@ -35,8 +35,10 @@ private:
     QWidget* make_head();
     QWidget* make_fields();
     void add_field(const AssetCertificateText& text, QWidget* page);
-    void refresh();
-    void refresh_verdict();
+    /// Another certificate is shown: its texts, its verdict, its problems.
+    void show_chosen();
+    void refresh();          ///< of texts, with every edit
+    void refresh_verdict();  ///< with every made project
     void refresh_problems();
     void add_certificate();
     void remove_certificate();

@@ -7,6 +7,7 @@
 
 #include "core/manual/help_page.h"
 #include "ui/document/setup_address.h"
+#include "ui/forms/complaint.h"
 #include "ui/forms/form_labels.h"
 #include "ui/forms/help_place.h"
 #include "ui/forms/whole_text.h"
@@ -183,12 +184,7 @@ void OptionsForm::refresh() {
 void OptionsForm::refresh_problems() {
     const std::string prefix =
         entry_path(document_.project(), {SetupOwner::analysis, analysis_}) + "/options/";
-    for (const Row& row : rows_) {
-        QStringList messages;
-        for (const Problem& problem : document_.problems().items())
-            if (problem.path == prefix + row.field->key) messages << to_qt(problem.message);
-        row.complain(messages.join('\n'));
-    }
+    for (const Row& row : rows_) row.complain(problems_at(document_.problems(), prefix + row.field->key));
 }
 
 bool OptionsForm::focus_field(const std::string& path) {

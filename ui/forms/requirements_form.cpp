@@ -287,10 +287,7 @@ void RequirementsForm::refresh_problems() {
                              "/requirements/" + std::to_string(given - entry->requirements.data()) + "/"
                        : std::string();
     const auto complaints = [&](const std::string& key) {
-        QStringList messages;
-        for (const Problem& problem : document_.problems().items())
-            if (!prefix.empty() && problem.path == prefix + key) messages << to_qt(problem.message);
-        return messages.join('\n');
+        return prefix.empty() ? QString() : problems_at(document_.problems(), prefix + key);
     };
     for (const RequirementField& field : requirement_fields())
         if (is_choice(field)) mark(*rules_, complaints(field.key), core_text(field.help));

@@ -7,6 +7,7 @@
 #include <charconv>
 
 #include "ui/document/setup_address.h"
+#include "ui/forms/complaint.h"
 #include "ui/forms/form_labels.h"
 #include "ui/forms/whole_text.h"
 #include "ui/theme/strings.h"
@@ -252,13 +253,8 @@ void StudiesForm::refresh_problems() {
     if (!entry || !shown) return;
     const std::string prefix = entry_path(document_.project(), {SetupOwner::analysis, analysis_}) +
                                "/studies/" + std::to_string(shown - entry->studies.data()) + "/axes/";
-    for (std::size_t i = 0; i < axis_edits_.size(); ++i) {
-        QStringList messages;
-        for (const Problem& problem : document_.problems().items())
-            if (problem.path.starts_with(prefix + std::to_string(i) + "/"))
-                messages << to_qt(problem.message);
-        axis_edits_[i]->set_complaint(messages.join(QLatin1Char('\n')));
-    }
+    for (std::size_t i = 0; i < axis_edits_.size(); ++i)
+        axis_edits_[i]->set_complaint(problems_below(document_.problems(), prefix + std::to_string(i)));
 }
 
 bool StudiesForm::focus_field(const std::string& path) {

@@ -10,6 +10,7 @@
 
 #include "core/text/numbers.h"
 #include "ui/document/setup_address.h"
+#include "ui/forms/complaint.h"
 #include "ui/forms/quantity_edit.h"
 #include "ui/forms/unit_choices.h"
 #include "ui/pages/notes_page.h"
@@ -121,10 +122,7 @@ void ProjectPage::refresh() {
 }
 
 void ProjectPage::refresh_problems() {
-    QStringList messages;
-    for (const Problem& problem : document_.problems().items())
-        if (problem.path == factor_path) messages << to_qt(problem.message);
-    factor_->set_complaint(messages.join(QLatin1Char('\n')));
+    factor_->set_complaint(problems_at(document_.problems(), factor_path));
 }
 
 bool ProjectPage::focus_field(const std::string& path) {
