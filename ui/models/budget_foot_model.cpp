@@ -38,14 +38,14 @@ void BudgetFootModel::set_result(std::shared_ptr<const UncertaintyResult> result
     result_ = std::move(result);
     output_ = output;
     current_ = current;
-    units_ = units_of_contributions_ = units;
+    units_ = units;
     digits_ = digits;
     table_ = {};
     if (result_) {
         const OutputResult& of = result_->outputs[output_];
         const Unit& unit = of.quantity.unit;
         const double u = of.first_order.standard_uncertainty;
-        units_of_contributions_.choose(readable_unit(u, units.of(unit)));
+        units_of_contributions_ = units_of_contributions(of, units);
         table_ = results_table(*result_, {output_});
         table_
             .add(combined, Cells([u, unit](std::size_t) -> Cell {

@@ -37,6 +37,12 @@ Unit readable_unit(double si, const Unit& usual) {
     return best.value_or(usual);
 }
 
+DisplayUnits units_of_contributions(const OutputResult& output, const DisplayUnits& units) {
+    DisplayUnits best;
+    best.choose(readable_unit(output.first_order.standard_uncertainty, units.of(output.quantity.unit)));
+    return best;
+}
+
 void SheetFigures::follow(std::shared_ptr<const UncertaintyResult> result, std::size_t output,
                           const std::string& key) {
     result_ = std::move(result);
@@ -128,13 +134,6 @@ Cell SheetFigures::sensitivity(std::size_t row, const BudgetComponent& component
     const double of_one = component.unit.interval_to_si(si);
     const Unit shown = readable_unit(of_one, of_result);
     return Quantity{shown.interval_from_si(of_one), quotient(shown, component.unit)};
-}
-
-DisplayUnits SheetFigures::units_of_contributions() const {
-    const OutputResult& output = result_->outputs[output_];
-    DisplayUnits units;
-    units.choose(readable_unit(output.first_order.standard_uncertainty, units_.of(output.quantity.unit)));
-    return units;
 }
 
 /// Cell of a component that the result does not depend on, to first order.

@@ -17,6 +17,10 @@ namespace covaria::ui {
 /// one to three digits before the point.
 Unit readable_unit(double si, const Unit& usual);
 
+/// The unit in which the output's standard uncertainty by the law of propagation is read best: a prefix of
+/// the one that `units` has for it.
+DisplayUnits units_of_contributions(const OutputResult& output, const DisplayUnits& units);
+
 class SheetFigures {
 public:
     /// `unit_of_row` is the unit in which a row states its figures.
@@ -34,8 +38,10 @@ public:
     void set_units(const DisplayUnits& units) { units_ = units; }
     /// The component that the row states; null: none.
     const BudgetComponent* component(std::size_t row) const;
-    /// The unit in which the standard uncertainty of the result is read best. There must be a result.
-    DisplayUnits units_of_contributions() const;
+    /// The units of contributions to the result, which there must be.
+    DisplayUnits units_of_contributions() const {
+        return covaria::ui::units_of_contributions(result_->outputs[output_], units_);
+    }
     /// A table with the keys of the budget's columns. Stated figures stay in the row's unit.
     const Table& table() const { return table_; }
 

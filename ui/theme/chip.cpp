@@ -40,7 +40,7 @@ void Chip::show_words(Kind kind, const Text& words, const QString& sign, const T
     words_ = words;
     detail_ = detail;
     sign_ = sign;
-    const QString whole = to_qt(to_unicode(detail.empty() ? words : words + ": " + detail));
+    const QString whole = to_qt(to_unicode(whole_words()));
     setAccessibleName(whole);
     setToolTip(detail.empty() ? QString() : whole);
     setVisible(!words.empty());
@@ -55,8 +55,12 @@ void Chip::set_brief(bool brief) {
     update();
 }
 
+Text Chip::whole_words() const {
+    return detail_.empty() ? words_ : words_ + ": " + detail_;
+}
+
 Text Chip::words() const {
-    return brief_ || detail_.empty() ? words_ : words_ + ": " + detail_;
+    return brief_ ? words_ : whole_words();
 }
 
 QFont Chip::letters() const {

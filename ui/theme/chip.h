@@ -27,6 +27,7 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
+    Text whole_words() const;
     QFont letters() const;
 
     Kind kind_ = Kind::neutral;
