@@ -10,13 +10,8 @@ namespace {
 
 /// "yes", "no"; empty where nothing is required.
 std::string met_word(const std::vector<RequirementResult>& verdicts, std::size_t output) {
-    bool any = false, met = true;
-    for (const RequirementResult& verdict : verdicts) {
-        if (verdict.output != output) continue;
-        any = true;
-        met = met && is_met(verdict);
-    }
-    return any ? (met ? "yes" : "no") : "";
+    const auto met = are_met(verdicts, output);
+    return !met ? "" : *met ? "yes" : "no";
 }
 
 std::string line_of(const OutputResult& output, const UncertaintyResult& result) {

@@ -52,25 +52,22 @@ std::string unit_behind(const Unit& unit) {
     return unit.text() == "1" ? "" : " " + unit.text();
 }
 
-const char* word_of(RequirementsVerdict verdict) {
-    return verdict == RequirementsVerdict::met       ? "met"
-           : verdict == RequirementsVerdict::not_met ? "NOT MET"
-                                                     : "-";
+const char* word_of(std::optional<bool> met) {
+    return !met ? "-" : *met ? "met" : "NOT MET";
 }
 
 void print_row(const ImpactRow& row) {
     const Unit& unit = row.quantity.unit;
     const std::string group = row.quantity.group.empty() ? "" : std::string(row.quantity.group) + ": ";
-    std::printf(
-        "%s: %s/%s%s\n    %s -> %s\n    change %s%s = %s u = %s U; U by %s %%%s\n", row.file.c_str(),
-        row.analysis.c_str(), group.c_str(), row.quantity.symbol.c_str(), row.before.stated.c_str(),
-        row.after.stated.c_str(), format_significant(unit.interval_from_si(row.change()), 3).c_str(),
-        unit_behind(unit).c_str(), format_significant(row.change_in_u(), 3).c_str(),
-        format_significant(row.change_in_U(), 3).c_str(),
-        format_significant(100.0 * row.change_of_U(), 3).c_str(),
-        row.verdict_changes()
-            ? (std::string("; ") + word_of(row.before.verdict) + " -> " + word_of(row.after.verdict)).c_str()
-            : "");
+    std::printf("%s: %s/%s%s\n    %s -> %s\n    change %s%s = %s u = %s U; U by %s %%%s\n", row.file.c_str(),
+                row.analysis.c_str(), group.c_str(), row.quantity.symbol.c_str(), row.before.stated.c_str(),
+                row.after.stated.c_str(), format_significant(unit.interval_from_si(row.change()), 3).c_str(),
+                unit_behind(unit).c_str(), format_significant(row.change_in_u(), 3).c_str(),
+                format_significant(row.change_in_U(), 3).c_str(),
+                format_significant(100.0 * row.change_of_U(), 3).c_str(),
+                row.verdict_changes()
+                    ? (std::string("; ") + word_of(row.before.met) + " -> " + word_of(row.after.met)).c_str()
+                    : "");
 }
 
 void print_impact(const Impact& impact, bool users_only) {

@@ -72,19 +72,6 @@ std::vector<std::string> reached(const MadeProject& made, const std::vector<Cert
     return ids;
 }
 
-/// The verdict on each output by all of its requirements.
-std::vector<RequirementsVerdict> verdicts_of(const UncertaintyResult& result, const AnalysisEntry& entry) {
-    std::vector<RequirementsVerdict> verdicts(result.outputs.size(), RequirementsVerdict::none);
-    for (const RequirementResult& one : judge(result, entry)) {
-        RequirementsVerdict& verdict = verdicts[one.output];
-        if (!is_met(one))
-            verdict = RequirementsVerdict::not_met;
-        else if (verdict == RequirementsVerdict::none)
-            verdict = RequirementsVerdict::met;
-    }
-    return verdicts;
-}
-
 class FileQuestion {
 public:
     FileQuestion(const ImpactQuestion& question, const fs::path& file, const RunControl& control)
@@ -140,8 +127,8 @@ private:
         if (!was) return say(tell<"%1, with the old figures: %2">(name, was.error().message));
         const auto is = evaluate(after, id);
         if (!is) return say(tell<"%1, with the new figures: %2">(name, is.error().message));
-        const auto verdicts_before = verdicts_of(*was, entry);
-        const auto verdicts_after = verdicts_of(*is, *after.project().find_analysis(id));
+        const auto verdicts_before = judge(*was, entry),
+                   verdicts_after = judge(*is, *after.project().find_analysis(id));
         for (std::size_t i = 0; i < was->outputs.size(); ++i) {
             const OutputQuantity& quantity = was->outputs[i].quantity;
             if (quantity.role != OutputRole::measurand) continue;
@@ -154,16 +141,16 @@ private:
             }
             const auto k = static_cast<std::size_t>(other - is->outputs.begin());
             add_row(before.project(), entry, quantity,
-                    line_of(was->outputs[i], *was, before, id, verdicts_before[i]),
-                    line_of(*other, *is, after, id, verdicts_after[k]));
+                    line_of(was->outputs[i], *was, before, id, are_met(verdicts_before, i)),
+                    line_of(*other, *is, after, id, are_met(verdicts_after, k)));
         }
     }
 
     static ImpactLine line_of(const OutputResult& output, const UncertaintyResult& result,
-                              const MadeProject& made, const std::string& id, RequirementsVerdict verdict) {
+                              const MadeProject& made, const std::string& id, std::optional<bool> met) {
         const ResultStyle& style = made.analysis(id)->style;
         return {output.estimate, output.standard_uncertainty, output.expanded_uncertainty,
-                result_statement(output, result, {}, style.units, style.digits.value_or(2)), verdict};
+                result_statement(output, result, {}, style.units, style.digits.value_or(2)), met};
     }
 
     void add_row(const Project& project, const AnalysisEntry& entry, const OutputQuantity& quantity,

@@ -15,13 +15,11 @@
 
 namespace covaria {
 
-enum class RequirementsVerdict { none, met, not_met };
-
 /// A result line of a measurand before and after.
 struct ImpactLine {
     double estimate = 0.0, standard_uncertainty = 0.0, expanded_uncertainty = 0.0;
-    std::string stated;  ///< as a report states it: "(50.000 78 ± 0.000 41) mm"
-    RequirementsVerdict verdict = RequirementsVerdict::none;
+    std::string stated;            ///< as a report states it: "(50.000 78 ± 0.000 41) mm"
+    std::optional<bool> met = {};  ///< whether its requirements are met; nothing where there are none
 };
 
 /// A measurand of an analysis that the certificate reaches.
@@ -38,7 +36,7 @@ struct ImpactRow {
     double change_in_U() const;
     /// The change of U, as a part of U before.
     double change_of_U() const;
-    bool verdict_changes() const { return before.verdict != after.verdict; }
+    bool verdict_changes() const { return before.met != after.met; }
     /// Whether the result would now be stated otherwise than it was, or its verdict is another.
     bool is_to_amend() const { return before.stated != after.stated || verdict_changes(); }
 };

@@ -11,16 +11,8 @@ namespace covaria {
 
 namespace {
 
-const char* word_of(RequirementsVerdict verdict) {
-    switch (verdict) {
-        case RequirementsVerdict::met:
-            return "met";
-        case RequirementsVerdict::not_met:
-            return "not met";
-        case RequirementsVerdict::none:
-            break;
-    }
-    return "none";
+const char* word_of(std::optional<bool> met) {
+    return !met ? "none" : *met ? "met" : "not met";
 }
 
 /// The columns of a table of rows; print and files choose among them by their keys.
@@ -85,7 +77,7 @@ private:
     }
 
     void verdict(const std::string& key, const std::string& head, ImpactLine ImpactRow::*line) {
-        add(key, [=](const ImpactRow& row) -> Cell { return std::string(word_of((row.*line).verdict)); })
+        add(key, [=](const ImpactRow& row) -> Cell { return std::string(word_of((row.*line).met)); })
             .print(head)
             .of_own_words({"met", "not met", "none"});
     }

@@ -121,6 +121,13 @@ bool is_met(const RequirementResult& verdict) {
            verdict.decision != RequirementResult::Decision::reject;
 }
 
+std::optional<bool> are_met(const std::vector<RequirementResult>& verdicts, std::size_t output) {
+    std::optional<bool> met;
+    for (const RequirementResult& verdict : verdicts)
+        if (verdict.output == output) met = met.value_or(true) && is_met(verdict);
+    return met;
+}
+
 std::vector<RequirementResult> judge(const UncertaintyResult& result,
                                      const std::vector<OutputRequirement>& requirements) {
     std::vector<RequirementResult> all;

@@ -17,6 +17,8 @@ std::vector<RequirementResult> judge(const UncertaintyResult& result,
 
 /// Judged, target met where there is one, and accepted where there are limits.
 bool is_met(const RequirementResult& verdict);
+/// Whether all verdicts on an output are met; nothing where none is on it.
+std::optional<bool> are_met(const std::vector<RequirementResult>& verdicts, std::size_t output);
 
 /// Tolerance and acceptance limits; infinite where there is none.
 struct ToleranceLimits {

@@ -356,11 +356,8 @@ Table results_table(const UncertaintyResult& result, std::vector<std::size_t> ou
     for (const std::size_t output : outputs) {
         const OutputResult& of = result.outputs[output];
         OfRow& row = rows->emplace_back();
-        bool met = true, any = false;
         for (const RequirementResult& verdict : verdicts) {
             if (verdict.output != output) continue;
-            any = true;
-            met = met && is_met(verdict);
             if (verdict.lower_limit)
                 row.lower = Measured{*verdict.lower_limit, Scale::value, of.quantity.unit, {}};
             if (verdict.upper_limit)
@@ -370,7 +367,7 @@ Table results_table(const UncertaintyResult& result, std::vector<std::size_t> ou
             row.target = Measured{target, Scale::interval, of.quantity.unit, {}};
             if (target > 0.0) row.part = Measured{of.expanded_uncertainty / target};
         }
-        if (any) row.met = std::string(met ? met_word : not_met_word);
+        if (const auto met = are_met(verdicts, output)) row.met = std::string(*met ? met_word : not_met_word);
     }
     Table table = ResultColumns(result, std::move(outputs), language).make();
     table.add("target", [rows](std::size_t row) { return (*rows)[row].target; })

@@ -110,11 +110,10 @@ TEST(Impact, IsThatOfBruteForceOverAFolder) {
         EXPECT_NEAR(row.change_in_u(), row.change() / row.before.standard_uncertainty, 1e-12);
         EXPECT_NEAR(row.change_in_U(), 0.5 * row.change_in_u(), 1e-12);
         const auto met = [](const ImpactLine& line) {
-            return line.estimate + line.expanded_uncertainty <= 0.0500004 ? RequirementsVerdict::met
-                                                                          : RequirementsVerdict::not_met;
+            return line.estimate + line.expanded_uncertainty <= 0.0500004;
         };
-        EXPECT_EQ(row.before.verdict, met(row.before)) << row.before.stated;
-        EXPECT_EQ(row.after.verdict, met(row.after)) << row.after.stated;
+        EXPECT_EQ(row.before.met, met(row.before)) << row.before.stated;
+        EXPECT_EQ(row.after.met, met(row.after)) << row.after.stated;
         EXPECT_TRUE(row.is_to_amend());
         turned += row.verdict_changes();
     }
