@@ -43,6 +43,13 @@ weight_of() {
     echo "$all"
 }
 
+# The lines that ninja would print in a build of TARGETs. A dry run ends at the rule that makes build.ninja anew, which is
+# always due because source lists are globbed; the copy that is read here has no such rule.
+steps_to_build() {  # TARGET ...
+    sed '/^build build\.ninja:/,/^$/d' "$build/build.ninja" >"$build/steps.ninja"
+    ninja -C "$build" -f steps.ninja -n "$@"
+}
+
 # Reads ninja's lines as they come: on a terminal one line that says how far it is and how long it will take, elsewhere a
 # line every tenth; all of it into the file that is named. WEIGHT: of all steps, as weight_of says.
 show_progress() {  # LOG WEIGHT
@@ -79,7 +86,7 @@ prepare() {
     say "building ($preset)"
     read_step_seconds
     local weight
-    weight=$(ninja -C "$build" -n "$@" | weight_of)
+    weight=$(steps_to_build "$@" | weight_of)
     NINJA_STATUS='[%f/%t %e] ' cmake --build --preset "$preset" --target "$@" 2>&1 | show_progress "$build/build.log" "$weight" ||
         { grep -E -A 20 'error|FAILED' "$build/build.log" | head -n 60 >&2; say "the build failed; all of it is in $build/build.log"; exit 1; }
 }
