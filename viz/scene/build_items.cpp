@@ -307,20 +307,6 @@ void turn_to_targets(Scene& scene) {
             body.sight = found->second.normalized();
 }
 
-/// Plates at the bottom stand on feet, everything on a floor.
-void add_floor(Scene& scene) {
-    if (scene.bodies.empty() && scene.points.empty() && scene.links.empty()) return;
-    constexpr double upright = 0.95, at_bottom = 0.02;  // the second as a part of the scene's size
-    const double bottom = lowest_of(scene);
-    for (SceneBody& body : scene.bodies)
-        if (!body.outline.empty() && !body.encloses && body.normal.z() > upright &&
-            std::ranges::all_of(body.outline, [&](const Eigen::Vector3d& corner) {
-                return corner.z() - body.thickness < bottom + at_bottom * scene.size;
-            }))
-            body.feet = foot_height * scene.size;
-    scene.floor = lowest_of(scene);
-}
-
 }  // namespace
 
 void add_items(SceneBuild& build) {
@@ -335,7 +321,24 @@ void add_items(SceneBuild& build) {
     add_meshes(build, build.options.context);
     attach_to_bodies(build);
     turn_to_targets(build.scene);
-    add_floor(build.scene);
+}
+
+void add_floor(Scene& scene) {
+    if (scene.bodies.empty() && scene.points.empty() && scene.links.empty()) return;
+    constexpr double upright = 0.95, at_bottom = 0.02;  // the second as a part of the scene's size
+    const double bottom = lowest_of(scene);
+    for (SceneBody& body : scene.bodies)
+        if (!body.outline.empty() && !body.encloses && body.normal.z() > upright &&
+            std::ranges::all_of(body.outline, [&](const Eigen::Vector3d& corner) {
+                return corner.z() - body.thickness < bottom + at_bottom * scene.size;
+            }))
+            body.feet = foot_height * scene.size;
+    scene.floor = lowest_of(scene);
+    const bool rests =
+        std::ranges::any_of(scene.bodies, [](const SceneBody& body) { return body.feet > 0; }) ||
+        std::ranges::any_of(scene.links, [](const SceneLink& link) { return link.stands; });
+    const double lowest = lowest_uncertainty_of(scene);
+    if (!rests && std::isfinite(lowest)) scene.floor = std::min(*scene.floor, lowest);
 }
 
 }  // namespace covaria::detail

@@ -36,6 +36,9 @@ struct SceneBuild {
 void add_items(SceneBuild& build);
 /// Ellipsoids and clouds of the points, their magnification, and the caption.
 void add_uncertainties(SceneBuild& build);
+/// Plates at the bottom get feet, and everything a floor; what nothing rests on lies below ellipsoids and
+/// clouds too, which it would cut.
+void add_floor(Scene& scene);
 /// Marks at the points and vectors that do not meet their requirements.
 void add_verdicts(SceneBuild& build);
 /// Histograms of one cloud on the walls of its bounding box.

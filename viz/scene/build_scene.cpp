@@ -59,6 +59,7 @@ Scene build_scene(const SceneSource& whole, const SceneOptions& options) {
     detail::SceneBuild build{source, options, uncertainties, before, scene};
     detail::add_items(build);
     detail::add_uncertainties(build);
+    detail::add_floor(scene);
     detail::add_verdicts(build);
     if (source.map) {
         scene.map = *source.map;

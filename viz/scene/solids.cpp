@@ -308,4 +308,13 @@ double lowest_of(const Scene& scene) {
     return lowest;
 }
 
+double lowest_uncertainty_of(const Scene& scene) {
+    double lowest = std::numeric_limits<double>::infinity();
+    for (const SceneEllipsoid& ellipsoid : scene.ellipsoids)
+        lowest = std::min(lowest, ellipsoid.item.position.z() - ellipsoid.axes.row(2).norm());
+    for (const SceneCloud& cloud : scene.clouds)
+        for (std::size_t i = 0; i < cloud.size(); ++i) lowest = std::min(lowest, cloud.dot(i).z());
+    return lowest;
+}
+
 }  // namespace covaria

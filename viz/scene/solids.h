@@ -42,5 +42,7 @@ std::vector<Solid> solids_of_points(const Scene& scene);
 
 /// Height down to which standing instruments, plates and arms reach: the floor lies there.
 double lowest_of(const Scene& scene);
+/// Height down to which the drawn ellipsoids and clouds reach; infinite without any.
+double lowest_uncertainty_of(const Scene& scene);
 
 }  // namespace covaria

@@ -90,6 +90,30 @@ Scene tracker_scene(double height) {
     return build_scene({.layout = &layout}, {});
 }
 
+TEST(Floors, LieBelowEllipsoidsAndCloudsThatNothingRestsAmong) {
+    auto setup = test::stewart_setup(200);
+    setup.layout.bodies.clear();
+    setup.layout.links.clear();
+    SceneOptions options;
+    options.magnification = 1e6;
+    const Scene scene = build_scene(setup.source(), options);
+    ASSERT_TRUE(scene.floor);
+    ASSERT_FALSE(scene.ellipsoids.empty());
+    ASSERT_FALSE(scene.clouds.empty());
+    const double lowest_point = std::ranges::min(scene.points, {}, [](const ScenePoint& p) {
+                                    return p.item.position.z();
+                                }).item.position.z();
+    double lowest = lowest_point;
+    for (const SceneEllipsoid& ellipsoid : scene.ellipsoids)
+        for (int i = 0; i < 3; ++i)
+            lowest = std::min(lowest, ellipsoid.item.position.z() - std::abs(ellipsoid.axes(2, i)));
+    EXPECT_LT(lowest, lowest_point - 0.1) << "the ellipsoids are as large as the whole";
+    EXPECT_LE(*scene.floor, lowest);
+    const auto standing = test::stewart_setup(200);
+    const Scene plates = build_scene(standing.source(), options);
+    EXPECT_GT(*plates.floor, *scene.floor) << "plates stay on the floor that they stand on";
+}
+
 TEST(Instruments, StandOnTheFloorAndLookAtTheirTargets) {
     const Scene scene = tracker_scene(1.6);
     ASSERT_TRUE(scene.floor);
