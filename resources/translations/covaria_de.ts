@@ -14338,7 +14338,7 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     </message>
     <message>
         <source>plane</source>
-        <translation>Lage</translation>
+        <translation>Ebene</translation>
     </message>
     <message>
         <source>What is known of x and y: unknown; unknown, and what no reading tells is taken from this point and others like it (free network); fixed without uncertainty; stated with u.</source>

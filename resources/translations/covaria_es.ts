@@ -2588,7 +2588,7 @@
     </message>
     <message>
         <source>first</source>
-        <translation>primera</translation>
+        <translation>primero</translation>
     </message>
     <message>
         <source>A coordinate of the station.</source>
@@ -2596,7 +2596,7 @@
     </message>
     <message>
         <source>second</source>
-        <translation>segunda</translation>
+        <translation>segundo</translation>
     </message>
     <message>
         <source>Correlation coefficient.</source>

@@ -5155,7 +5155,7 @@
     </message>
     <message>
         <source>pose</source>
-        <translation>자세</translation>
+        <translation>포즈</translation>
     </message>
     <message>
         <source>largest over its u</source>
@@ -5167,7 +5167,7 @@
     </message>
     <message>
         <source>Poses held back from the fit, calculated less measured</source>
-        <translation>맞춤에서 제외한 자세, 계산값 빼기 측정값</translation>
+        <translation>맞춤에서 제외한 포즈, 계산값 빼기 측정값</translation>
     </message>
     <message>
         <source>nominal, distance</source>
@@ -5203,7 +5203,7 @@
     </message>
     <message>
         <source>Readings and places of the poses, without uncertainty</source>
-        <translation>자세의 읽음과 위치, 불확도 없음</translation>
+        <translation>포즈의 읽음과 위치, 불확도 없음</translation>
     </message>
     <message>
         <source>Relative uncertainty of the loads</source>
@@ -5555,7 +5555,7 @@
     </message>
     <message>
         <source>Scatter of a pose that the robot is sent to again</source>
-        <translation>로봇이 다시 도달하는 자세의 산포</translation>
+        <translation>로봇이 다시 도달하는 포즈의 산포</translation>
     </message>
     <message>
         <source>deviation</source>
@@ -5915,7 +5915,7 @@
     </message>
     <message>
         <source>Eq 19 is corrected: o_p − o_b must be expressed in the base frame. As printed, the pose does not depend on the orientation of the base, and U(x) of all poses is the same.</source>
-        <translation>식 19를 바로잡음: o_p − o_b는 베이스 좌표계로 나타내야 합니다. 인쇄된 대로면 자세가 베이스의 방향에 따르지 않고 모든 자세의 U(x)가 같습니다.</translation>
+        <translation>식 19를 바로잡음: o_p − o_b는 베이스 좌표계로 나타내야 합니다. 인쇄된 대로면 포즈가 베이스의 방향에 따르지 않고 모든 포즈의 U(x)가 같습니다.</translation>
     </message>
     <message>
         <source>Eq 20 is corrected: R = R_bᵀ R_p. The printed R_p R_bᵀ is the same rotation expressed in frame 0.</source>
@@ -5939,7 +5939,7 @@
     </message>
     <message>
         <source>All poses of an analysis share one measurement of the base, so their results are correlated.</source>
-        <translation>한 분석의 모든 자세는 베이스의 측정 하나를 공유하므로 결과가 상관됩니다.</translation>
+        <translation>한 분석의 모든 포즈는 베이스의 측정 하나를 공유하므로 결과가 상관됩니다.</translation>
     </message>
     <message>
         <source>The uncertainty of the mean of repeated measurements (a posteriori) is taken as that of one measurement, as in the paper: the systematic part does not average out.</source>
@@ -6051,7 +6051,7 @@
     </message>
     <message>
         <source>Readings of the joints deviate anew at each pose; parameters and tool are the same for all poses of an analysis.</source>
-        <translation>관절의 읽음값은 자세마다 새로 어긋나며, 파라미터와 공구는 한 분석의 모든 자세에서 같습니다.</translation>
+        <translation>관절의 읽음값은 포즈마다 새로 어긋나며, 파라미터와 공구는 한 분석의 모든 포즈에서 같습니다.</translation>
     </message>
     <message>
         <source>Geometric parameters of a serial robot from points measured while one joint after the other turns (circle point analysis).</source>
@@ -6095,15 +6095,15 @@
     </message>
     <message>
         <source>Geometric parameters of a serial robot by least squares from measured positions or poses of its tool, with observability, residuals and validation.</source>
-        <translation>측정한 공구 위치나 자세에서 최소제곱으로 구한 직렬 로봇의 기하 파라미터. 가관측성, 잔차, 검증 포함.</translation>
+        <translation>측정한 공구 위치나 포즈에서 최소제곱으로 구한 직렬 로봇의 기하 파라미터. 가관측성, 잔차, 검증 포함.</translation>
     </message>
     <message>
         <source>The paper identifies parameters by joint trajectories; least squares on measured positions or poses is the other usual way, with the same model of the arm (Eq 5).</source>
-        <translation>논문은 관절 궤적으로 파라미터를 식별합니다. 측정한 위치나 자세에 대한 최소제곱은 같은 팔 모델(식 5)을 쓰는 또 다른 일반적 방법입니다.</translation>
+        <translation>논문은 관절 궤적으로 파라미터를 식별합니다. 측정한 위치나 포즈에 대한 최소제곱은 같은 팔 모델(식 5)을 쓰는 또 다른 일반적 방법입니다.</translation>
     </message>
     <message>
         <source>Parameters that the poses cannot tell are found by their columns of the Jacobian: each that is a combination of those before it (base, then ball or tool, then joint by joint) stays nominal and is named with its partners.</source>
-        <translation>자세로 구할 수 없는 파라미터는 야코비 행렬의 열로 찾습니다. 앞의 것들(베이스, 다음 구나 공구, 다음 관절 순서)의 조합인 것은 공칭값으로 두고 상대와 함께 이름을 보입니다.</translation>
+        <translation>포즈로 구할 수 없는 파라미터는 야코비 행렬의 열로 찾습니다. 앞의 것들(베이스, 다음 구나 공구, 다음 관절 순서)의 조합인 것은 공칭값으로 두고 상대와 함께 이름을 보입니다.</translation>
     </message>
     <message>
         <source>Weights are the inverse variances of the measured coordinates. Shared deviations of an instrument and the readings of the joints do not change the weights, but are propagated in full.</source>
@@ -6295,7 +6295,7 @@
     </message>
     <message>
         <source>A robot as a source of uncertainty: each time it goes to a pose it misses it by a distance in a random direction, and perhaps by small rotations.</source>
-        <translation>불확도의 원천으로서의 로봇. 자세로 갈 때마다 무작위 방향으로 어떤 거리만큼, 또 작은 회전만큼 어긋납니다.</translation>
+        <translation>불확도의 원천으로서의 로봇. 포즈로 갈 때마다 무작위 방향으로 어떤 거리만큼, 또 작은 회전만큼 어긋납니다.</translation>
     </message>
     <message>
         <source>The paper takes the distance as rectangular in [0, r], r being the data sheet&apos;s ± 0.02 mm; u along an axis is then r/3. RP of ISO 9283 is the mean distance plus three standard deviations, which is another figure: for that law RP = 1.366 r, in a ball 1.331 r, on a sphere r, and 3.616 u for normal coordinates.</source>
@@ -7803,7 +7803,7 @@
     </message>
     <message>
         <source>there are two poses called &apos;%1&apos;; rename one</source>
-        <translation>&apos;%1&apos;(이)라는 자세가 둘입니다. 하나의 이름을 바꾸십시오</translation>
+        <translation>&apos;%1&apos;(이)라는 포즈가 둘입니다. 하나의 이름을 바꾸십시오</translation>
     </message>
     <message>
         <source>no pose may be called &apos;base&apos;: that names the base among the measured points</source>
@@ -8127,11 +8127,11 @@
     </message>
     <message>
         <source>pose %1: no readings within the limits of the joints bring the tool there; the nearest attempt misses the place by %2 but not the orientation</source>
-        <translation>자세 %1: 관절 한계 안의 어떤 읽음값도 공구를 그곳으로 보내지 못합니다. 가장 가까운 시도의 위치 차이는 %2이지만 방향은 맞습니다</translation>
+        <translation>포즈 %1: 관절 한계 안의 어떤 읽음값도 공구를 그곳으로 보내지 못합니다. 가장 가까운 시도의 위치 차이는 %2이지만 방향은 맞습니다</translation>
     </message>
     <message>
         <source>pose %1: no readings within the limits of the joints bring the tool there; the nearest attempt misses the place by %2</source>
-        <translation>자세 %1: 관절 한계 안의 어떤 읽음값도 공구를 그곳으로 보내지 못합니다. 가장 가까운 시도의 위치 차이는 %2입니다</translation>
+        <translation>포즈 %1: 관절 한계 안의 어떤 읽음값도 공구를 그곳으로 보내지 못합니다. 가장 가까운 시도의 위치 차이는 %2입니다</translation>
     </message>
     <message>
         <source>without limits</source>
@@ -8827,7 +8827,7 @@
     </message>
     <message>
         <source>a coordinate of the pose &apos;%1&apos; is written as &quot;/setup/%2/position/0&quot; or &quot;/setup/%3/angles/2&quot;</source>
-        <translation>자세 &apos;%1&apos;의 좌표는 &quot;/setup/%2/position/0&quot; 또는 &quot;/setup/%3/angles/2&quot;로 씁니다</translation>
+        <translation>포즈 &apos;%1&apos;의 좌표는 &quot;/setup/%2/position/0&quot; 또는 &quot;/setup/%3/angles/2&quot;로 씁니다</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is not given</source>
@@ -10147,7 +10147,7 @@
     </message>
     <message>
         <source>%1 is not a number of a pose</source>
-        <translation>%1은(는) 자세의 수가 아닙니다</translation>
+        <translation>%1은(는) 포즈의 수가 아닙니다</translation>
     </message>
     <message>
         <source>the quaternion of %1 has not the length 1</source>
@@ -10167,7 +10167,7 @@
     </message>
     <message>
         <source>rigid body %1: mean pose of %2 frames, Type A with covariance; the body must not have moved, and the frames are taken as independent</source>
-        <translation>강체 %1: 프레임 %2개의 평균 자세, 공분산이 있는 A형. 강체가 움직이지 않았어야 하며 프레임을 독립으로 봅니다</translation>
+        <translation>강체 %1: 프레임 %2개의 평균 포즈, 공분산이 있는 A형. 강체가 움직이지 않았어야 하며 프레임을 독립으로 봅니다</translation>
     </message>
     <message>
         <source>unit &quot;%1&quot;: write it without parentheses</source>
@@ -12463,7 +12463,7 @@
     </message>
     <message>
         <source>does not move the measured points in any pose</source>
-        <translation>어느 자세에서도 측정점을 움직이지 않음</translation>
+        <translation>어느 포즈에서도 측정점을 움직이지 않음</translation>
     </message>
     <message>
         <source>moves the measured points as %1 can: coupled with it, held at its nominal value</source>

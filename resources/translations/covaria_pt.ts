@@ -2588,7 +2588,7 @@
     </message>
     <message>
         <source>first</source>
-        <translation>primeira</translation>
+        <translation>primeiro</translation>
     </message>
     <message>
         <source>A coordinate of the station.</source>
@@ -2596,7 +2596,7 @@
     </message>
     <message>
         <source>second</source>
-        <translation>segunda</translation>
+        <translation>segundo</translation>
     </message>
     <message>
         <source>Correlation coefficient.</source>
@@ -2912,7 +2912,7 @@
     </message>
     <message>
         <source>direction</source>
-        <translation>sentido</translation>
+        <translation>direção</translation>
     </message>
     <message>
         <source>Whether the joint angle grows or falls with the reading; empty: grows.</source>
