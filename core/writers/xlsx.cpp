@@ -6,6 +6,7 @@
 #include "core/result/representation.h"
 #include "core/result/result_line.h"
 #include "core/text/head_with_unit.h"
+#include "core/text/numbers.h"
 #include "core/writers/formats.h"
 #include "core/writers/xlsx_book.h"
 
@@ -16,6 +17,7 @@ namespace {
 using Look = XlsxBook::Look;
 
 constexpr std::size_t most_budget_sheets = 250;
+constexpr std::size_t most_bars = 40;  ///< of a chart that is still read on a page
 
 enum BudgetSheetColumn {
     symbol = 1,
@@ -42,24 +44,60 @@ std::string range(int column, int first, int last) {
     return cell_name(first, column) + ":" + cell_name(last, column);
 }
 
+/// Excel's format for numbers with these decimals; with a power of ten where they are of no ordinary size.
+std::string format_of(double value, int decimals) {
+    constexpr double large = 1e9;
+    constexpr int most_decimals = 9;
+    if (std::abs(value) < large && decimals >= 0 && decimals <= most_decimals)
+        return decimals == 0 ? "0" : "0." + std::string(static_cast<std::size_t>(decimals), '0');
+    const double exponent = value == 0.0 ? -decimals : std::floor(std::log10(std::abs(value)));
+    const double behind = std::clamp(exponent + decimals, 0.0, 14.0);
+    return (behind > 0.0 ? "0." + std::string(static_cast<std::size_t>(behind), '0') : std::string("0")) +
+           "E+00";
+}
+
+/// The format of a number by itself, to so many significant digits.
+std::string format_of_digits(double value, int digits) {
+    constexpr double small = 1e-4;
+    if (!std::isfinite(value) || value == 0.0) return {};
+    if (std::abs(value) < small)
+        return "0." + std::string(static_cast<std::size_t>(digits - 1), '0') + "E+00";
+    return format_of(value, decimals_for(value, digits));
+}
+
+/// The format of a value that has an uncertainty, as results are rounded (JCGM 100 7.2.6).
+std::string format_to_match_u(double value, double uncertainty, int digits) {
+    if (!std::isfinite(value) || !std::isfinite(uncertainty) || uncertainty == 0.0) return {};
+    return format_of(value, decimals_for(uncertainty, digits));
+}
+
+constexpr int digits_of_parts = 3;  ///< of uncertainties within a budget, one more than a result has
+constexpr int digits_of_coefficients = 4;
+
 /// Writes the heads in line 4. `y` is the unit of contributions.
 void write_heads(XlsxBook& book, const Unit& y) {
-    const std::vector<std::pair<std::string, double>> heads{
-        {"Quantity", 14},
-        {"Component", 36},
-        {"Estimate", 18},
-        {"Unit", 10},
-        {"Standard uncertainty", 14},
-        {"Distribution", 14},
-        {"Degrees of freedom", 12},
-        {"Sensitivity coefficient", 14},
-        {to_unicode(head_with_unit("Contribution", y)), 16},
-        {"Its square", 14},
-        {"Its fourth power over nu", 14}};
+    struct Head {
+        std::string words;
+        double width;
+        Look look;
+    };
+    const Look words = Look::head, numbers = Look::head_of_numbers;
+    const std::vector<Head> heads{{"Quantity", 12, words},
+                                  {"Component", 42, words},
+                                  {"Estimate", 16, numbers},
+                                  {"Unit", 11, words},
+                                  {"Standard uncertainty", 13, numbers},
+                                  {"Distribution", 15, words},
+                                  {"Degrees of freedom", 11, numbers},
+                                  {"Sensitivity coefficient", 13, numbers},
+                                  {to_unicode(head_with_unit("Contribution", y)), 16, numbers},
+                                  {"Its square", 11, numbers},
+                                  {"Its fourth power over nu", 14, numbers}};
     for (std::size_t i = 0; i < heads.size(); ++i) {
-        book.text(4, static_cast<int>(i) + 1, heads[i].first, Look::head);
-        book.set_width(static_cast<int>(i) + 1, heads[i].second);
+        book.text(4, static_cast<int>(i) + 1, heads[i].words, heads[i].look);
+        book.set_width(static_cast<int>(i) + 1, heads[i].width);
     }
+    book.freeze_heads(4, 1);
 }
 
 /// The lines in the order of the quantities; components of a quantity that have one sensitivity stand
@@ -87,21 +125,22 @@ std::vector<SheetLine> lines_of(const UncertaintyBudget& budget, std::size_t out
     return ordered;
 }
 
-/// Writes the results of the trials as values only, since trials cannot be formulas.
-void write_trials(XlsxBook& book, int row, const OutputResult& output, std::uint64_t trials) {
-    if (!output.monte_carlo) return;
+/// Writes the results of the trials as values only, since trials cannot be formulas; returns the next row.
+int write_trials(XlsxBook& book, int row, const OutputResult& output, std::uint64_t trials) {
+    if (!output.monte_carlo) return row;
     book.text(row++, name, "Monte Carlo, " + std::to_string(trials) + " trials", Look::title);
     const Unit& unit_y = output.quantity.unit;
     const CoverageInterval& interval = output.monte_carlo->symmetric;
+    const double u_y = unit_y.interval().interval_from_si(output.monte_carlo->standard_uncertainty);
     const auto value = [&](const char* label, double v) {
         book.text(row, name, label);
-        book.number(row++, estimate, v, Look::stated);
+        book.number(row++, estimate, v, Look::stated, format_to_match_u(v, u_y, digits_of_parts));
     };
     value("Estimate", unit_y.from_si(output.monte_carlo->mean));
-    value("Standard uncertainty",
-          unit_y.interval().interval_from_si(output.monte_carlo->standard_uncertainty));
+    value("Standard uncertainty", u_y);
     value("Coverage interval, low", unit_y.from_si(interval.low));
     value("Coverage interval, high", unit_y.from_si(interval.high));
+    return row;
 }
 
 /// The sheet of one output of one analysis.
@@ -130,6 +169,10 @@ public:
         write_result();
         write_correlations();
         write_comparison();
+        if (lines_.size() > 1 && lines_.size() <= most_bars)
+            book_.bars(row_ + 1, name,
+                       to_unicode(head_with_unit("Contributions to " + output_.quantity.symbol, y_)), symbol,
+                       contribution, 5, last_);
     }
 
 private:
@@ -140,32 +183,35 @@ private:
         book_.text(row_, name, component.name.english());
         if (line.symbol != before_) {
             const bool own = component.quantities.size() == 1 && component.quantity_unit.interval() == x;
-            if (own)
-                book_.number(row_, estimate, component.quantity_unit.from_si(component.estimate),
-                             Look::stated);
-            else
-                book_.number(row_, estimate, 0.0, Look::stated);
+            const double x_i = own ? component.quantity_unit.from_si(component.estimate) : 0.0;
+            book_.number(
+                row_, estimate, x_i, Look::stated,
+                format_to_match_u(x_i, x.interval_from_si(component.standard_uncertainty), digits_of_parts));
         }
         before_ = line.symbol;
         const bool offset = component.quantity_unit.has_offset() && component.quantity_unit.interval() == x;
-        book_.text(row_, unit, offset ? component.quantity_unit.display() : x.display());
-        book_.number(row_, u, x.interval_from_si(component.standard_uncertainty), Look::stated);
-        book_.text(row_, distribution, component.distribution);
+        book_.text(row_, unit, offset ? component.quantity_unit.display() : x.display(), Look::after_number);
+        const double u_i = x.interval_from_si(component.standard_uncertainty);
+        book_.number(row_, u, u_i, Look::stated, format_of_digits(u_i, digits_of_parts));
+        book_.text(row_, distribution, component.distribution, Look::after_number);
         const double degrees = component.degrees_of_freedom;
         if (std::isfinite(degrees))
-            book_.number(row_, nu, degrees, Look::stated);
+            book_.number(row_, nu, degrees, Look::stated, degrees < 1e6 ? "0.##" : "0.0E+00");
         else
             book_.text(row_, nu, "∞", Look::stated);
         // The coefficient is in the unit of the result for one unit of the quantity.
         const double slope = y_.interval_from_si(x.interval_to_si(line.sensitivity));
-        book_.number(row_, c, slope, Look::stated);
-        const double share = slope * x.interval_from_si(component.standard_uncertainty);
+        book_.number(row_, c, slope, Look::stated, format_of_digits(slope, digits_of_coefficients));
+        const double share = slope * u_i;
         const std::string own = cell_name(row_, contribution);
-        book_.formula(row_, contribution, "=" + cell_name(row_, u) + "*" + cell_name(row_, c), share);
-        book_.formula(row_, square, "=" + own + "^2", share * share);
+        book_.formula(row_, contribution, "=" + cell_name(row_, u) + "*" + cell_name(row_, c), share,
+                      Look::plain, format_to_match_u(share, first_order_u(), digits_of_parts));
+        book_.formula(row_, square, "=" + own + "^2", share * share, Look::plain,
+                      format_of_digits(share * share, digits_of_parts));
         if (std::isfinite(degrees)) {
             const double part = std::pow(share, 4) / degrees;
-            book_.formula(row_, fourth, "=" + own + "^4/" + cell_name(row_, nu), part);
+            book_.formula(row_, fourth, "=" + own + "^4/" + cell_name(row_, nu), part, Look::plain,
+                          format_of_digits(part, digits_of_parts));
         }
         ++row_;
     }
@@ -183,7 +229,9 @@ private:
         result_row_ = row_;
         book_.text(row_, symbol, output_.quantity.symbol, Look::head);
         book_.text(row_, name, output_.quantity.name.english(), Look::head);
-        book_.number(row_, estimate, output_.quantity.unit.from_si(output_.first_order.estimate), Look::head);
+        const double y = output_.quantity.unit.from_si(output_.first_order.estimate);
+        book_.number(row_, estimate, y, Look::head, format_to_match_u(y, first_order_u(), digits_of_parts));
+        book_.name_cell("estimate", row_, estimate);
         book_.text(row_, unit, output_.quantity.unit.display(), Look::head);
         row_ += 2;
     }
@@ -207,7 +255,7 @@ private:
             book_.formula(at, square,
                           "=2*" + cell_name(at, c) + "*" + cell_name(a, contribution) + "*" +
                               cell_name(b, contribution),
-                          term);
+                          term, Look::plain, format_of_digits(term, digits_of_parts));
             ++at;
         }
         pairs_ = at - first_pair_;
@@ -215,8 +263,8 @@ private:
         book_.text(row_, symbol, "Correlations", Look::title);
         book_.text(row_ + 1, symbol, "Component", Look::head);
         book_.text(row_ + 1, name, "and component", Look::head);
-        book_.text(row_ + 1, c, "Coefficient r", Look::head);
-        book_.text(row_ + 1, square, "Term of the variance", Look::head);
+        book_.text(row_ + 1, c, "Coefficient r", Look::head_of_numbers);
+        book_.text(row_ + 1, square, "Term of the variance", Look::head_of_numbers);
         row_ = at + 1;
     }
 
@@ -228,8 +276,9 @@ private:
     void write_comparison() {
         book_.text(row_, name, "Law of propagation", Look::title);
         ++row_;
-        const char* heads[] = {"", "live formula", "Covaria", "do both agree?"};
-        for (int i = 0; i < 4; ++i) book_.text(row_, name + i, heads[i], Look::head);
+        book_.text(row_, estimate, "live formula", Look::head_of_numbers);
+        book_.text(row_, unit, "Covaria", Look::head_of_numbers);
+        book_.text(row_, u, "do both agree?", Look::head);
         ++row_;
         const FirstOrderOutput& law = output_.first_order;
         const double u_y = first_order_u();
@@ -242,7 +291,9 @@ private:
                     "=" + squares + pairs, u_y * u_y);
         const int row_u =
             compare("Standard uncertainty u", "=SQRT(" + cell_name(variance, estimate) + ")", u_y);
-        book_.formula(result_row_, contribution, "=" + cell_name(row_u, estimate), u_y, Look::head);
+        book_.formula(result_row_, contribution, "=" + cell_name(row_u, estimate), u_y, Look::head,
+                      format_of_digits(u_y, digits_of_parts));
+        book_.name_cell("standard_uncertainty", row_u, estimate);
         const double degrees = law.effective_degrees_of_freedom;
         int row_nu = row_;
         if (independent() && any) {
@@ -253,14 +304,16 @@ private:
         } else {
             book_.text(row_, name,
                        "Effective degrees of freedom, as Covaria has them for dependent components");
-            book_.number(row_, estimate, degrees, Look::stated);
+            book_.number(row_, estimate, degrees, Look::stated, format_of_digits(degrees, digits_of_parts));
             ++row_;
         }
+        book_.name_cell("effective_degrees_of_freedom", row_nu, estimate);
         const int row_p = row_;
         book_.text(row_, name, "Coverage probability");
-        book_.number(row_++, estimate, result_.coverage_probability, Look::stated);
+        book_.name_cell("coverage_probability", row_, estimate);
+        book_.number(row_++, estimate, result_.coverage_probability, Look::stated, "0.0###%");
         write_expanded(row_u, row_nu, row_p);
-        write_trials(book_, row_ + 1, output_, result_.trials);
+        row_ = write_trials(book_, row_ + 1, output_, result_.trials);
     }
 
     void write_expanded(int row_u, int row_nu, int row_p) {
@@ -268,7 +321,7 @@ private:
         int row_k = row_;
         if (result_.fixed_coverage_factor) {
             book_.text(row_, name, "Coverage factor k, fixed");
-            book_.number(row_++, estimate, *result_.fixed_coverage_factor, Look::stated);
+            book_.number(row_++, estimate, *result_.fixed_coverage_factor, Look::stated, "0.00##");
         } else {
             // Student's t for any real number of degrees of freedom follows from the beta distribution.
             const std::string p = cell_name(row_p, estimate), n = cell_name(row_nu, estimate),
@@ -278,15 +331,19 @@ private:
                                 beta + ")),NORMSINV((1+" + p + ")/2)),NORMSINV((1+" + p + ")/2))",
                             law.coverage_factor);
         }
-        compare("Expanded uncertainty U", "=" + cell_name(row_k, estimate) + "*" + cell_name(row_u, estimate),
-                y_.interval_from_si(law.expanded_uncertainty));
+        book_.name_cell("coverage_factor", row_k, estimate);
+        const int row_U = compare("Expanded uncertainty U",
+                                  "=" + cell_name(row_k, estimate) + "*" + cell_name(row_u, estimate),
+                                  y_.interval_from_si(law.expanded_uncertainty));
+        book_.name_cell("expanded_uncertainty", row_U, estimate);
     }
 
     /// Writes label, formula, Covaria's value and whether both agree to 1e-6; returns their row.
     int compare(const std::string& label, const std::string& formula, double covaria) {
         book_.text(row_, name, label);
-        book_.formula(row_, estimate, formula, covaria);
-        book_.number(row_, unit, covaria, Look::stated);
+        const std::string format = format_of_digits(covaria, digits_of_parts);
+        book_.formula(row_, estimate, formula, covaria, Look::plain, format);
+        book_.number(row_, unit, covaria, Look::stated, format);
         const std::string live = cell_name(row_, estimate), stated = cell_name(row_, unit);
         book_.text_formula(row_, u,
                            "=IF(ISNUMBER(" + stated + "),IF(ABS(" + live + "-" + stated + ")<=1E-6*ABS(" +
@@ -320,12 +377,15 @@ void write_results_sheet(XlsxBook& book, const WriterSource& source, std::vector
                                                             {"Interval high", 18},
                                                             {"By", 18}};
     for (std::size_t i = 0; i < heads.size(); ++i) {
-        book.text(3, static_cast<int>(i) + 1, heads[i].first, Look::head);
+        const bool of_number = i >= 4 && i <= 10;
+        book.text(3, static_cast<int>(i) + 1, heads[i].first, of_number ? Look::head_of_numbers : Look::head);
         book.set_width(static_cast<int>(i) + 1, heads[i].second);
     }
+    book.freeze_heads(3, 2);
     int row = 4;
     for (const EvaluatedAnalysis& evaluated : source.analyses) {
         const UncertaintyResult& result = *evaluated.result;
+        const int digits = evaluated.analysis->style.digits.value_or(2);
         if (!represents_measurand(result)) {
             said.push_back("not written: analysis " + evaluated.analysis->id + ", whose result " +
                            does_not_represent);
@@ -338,15 +398,22 @@ void write_results_sheet(XlsxBook& book, const WriterSource& source, std::vector
             book.text(row, 2, output.quantity.symbol);
             book.text(row, 3, output.quantity.name.english());
             book.text(row, 4, unit.display());
-            const double numbers[] = {unit.from_si(output.estimate),
-                                      interval.interval_from_si(output.standard_uncertainty),
-                                      output.first_order.effective_degrees_of_freedom,
-                                      output.coverage_factor,
-                                      interval.interval_from_si(output.expanded_uncertainty),
-                                      unit.from_si(covered.low),
-                                      unit.from_si(covered.high)};
-            for (int i = 0; i < 7; ++i) book.number(row, 5 + i, numbers[i], Look::stated);
-            book.text(row, 12, output.monte_carlo ? "Monte Carlo" : "law of propagation");
+            const double y = unit.from_si(output.estimate), low = unit.from_si(covered.low),
+                         high = unit.from_si(covered.high);
+            const double u_y = interval.interval_from_si(output.standard_uncertainty),
+                         U = interval.interval_from_si(output.expanded_uncertainty);
+            const double degrees = output.first_order.effective_degrees_of_freedom;
+            const auto number = [&](int column, double value, const std::string& format) {
+                book.number(row, column, value, Look::stated, format);
+            };
+            number(5, y, format_to_match_u(y, U, digits));
+            number(6, u_y, format_of_digits(u_y, digits));
+            number(7, degrees, degrees < 1e6 ? "0.0" : "0.0E+00");
+            number(8, output.coverage_factor, "0.00");
+            number(9, U, format_of_digits(U, digits));
+            number(10, low, format_to_match_u(low, U, digits));
+            number(11, high, format_to_match_u(high, U, digits));
+            book.text(row, 12, output.monte_carlo ? "Monte Carlo" : "law of propagation", Look::after_number);
             ++row;
         }
     }

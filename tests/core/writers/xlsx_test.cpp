@@ -32,6 +32,10 @@ std::vector<WorkbookSheet> sheets_of(const std::string& bytes) {
     return sheets.value_or(std::vector<WorkbookSheet>());
 }
 
+std::size_t output_lines(const Evaluated& evaluated) {
+    return evaluated.analyses[0].result->budget.rows[0].size();
+}
+
 TEST(WriteXlsx, TheReaderGetsTheSameBudgetBack) {
     for (const char* name : {"gum/h1-end-gauge.covaria", "gum/s1-9.5-gauge-block.covaria"}) {
         Project project = loaded(projects / name);
@@ -84,6 +88,37 @@ TEST(WriteXlsx, WhatWasTypedIsNeverAFormula) {
         EXPECT_EQ(formulas, expected) << name;
         EXPECT_EQ(sheet.find("<hyperlink"), std::string::npos);
     }
+}
+
+/// Cells keep all digits and show as many as the uncertainty has; heads stay in sight, in print too; results
+/// have names for formulas, and the contributions a chart.
+TEST(WriteXlsx, LooksLikeABudget) {
+    Project project = loaded(projects / "gum/h1-end-gauge.covaria");
+    project.analyses.resize(1);
+    const Evaluated evaluated = evaluate(project);
+    auto zip = ZipParts::open(written(evaluated), 100'000'000);
+    ASSERT_TRUE(zip);
+    const std::string sheet = zip->read("xl/worksheets/sheet2.xml").value_or("");
+    EXPECT_NE(sheet.find("ySplit=\"4\""), std::string::npos) << "the heads are frozen";
+    EXPECT_NE(sheet.find("fitToHeight=\"0\""), std::string::npos) << "as wide as a page";
+    const std::string styles = zip->read("xl/styles.xml").value_or("");
+    EXPECT_NE(styles.find("formatCode=\"0.0###%\""), std::string::npos);
+    const auto sheets = sheets_of(written(evaluated));
+    const WorkbookCell* y = nullptr;
+    for (const auto& [row, cells] : sheets[1].rows)
+        if (const WorkbookCell* symbol = sheets[1].cell(row, 1); symbol && symbol->text == "l" && row > 5)
+            y = sheets[1].cell(row, 3);
+    ASSERT_TRUE(y && y->number);
+    const OutputResult& output = evaluated.analyses[0].result->outputs[0];
+    EXPECT_EQ(*y->number, output.quantity.unit.from_si(output.first_order.estimate)) << "all digits";
+    const std::string book = zip->read("xl/workbook.xml").value_or("");
+    for (const char* name : {"estimate", "standard_uncertainty", "effective_degrees_of_freedom",
+                             "coverage_probability", "coverage_factor", "expanded_uncertainty"})
+        EXPECT_NE(book.find("name=\"" + std::string(name) + "\""), std::string::npos) << name;
+    EXPECT_NE(book.find("_xlnm.Print_Titles"), std::string::npos) << "each page repeats the heads";
+    const std::string chart = zip->read("xl/charts/chart1.xml").value_or("");
+    const std::size_t last = 4 + output_lines(evaluated);
+    EXPECT_NE(chart.find("$I$5:$I$" + std::to_string(last)), std::string::npos) << "all contributions";
 }
 
 std::string without_values(const std::string& bytes) {
