@@ -15577,7 +15577,7 @@ sample 1; 2; 3 weights 2; 5; 2 (그대로 뽑음), histogram 0; 1; 2 weights 5; 
     </message>
     <message>
         <source>Tests</source>
-        <translation>검정</translation>
+        <translation>시험</translation>
     </message>
     <message>
         <source>σ, stated or wanted</source>

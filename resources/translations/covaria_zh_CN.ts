@@ -15577,7 +15577,7 @@ sample 1; 2; 3 weights 2; 5; 2（按原样抽取），histogram 0; 1; 2 weights 
     </message>
     <message>
         <source>Tests</source>
-        <translation>检验</translation>
+        <translation>检测</translation>
     </message>
     <message>
         <source>σ, stated or wanted</source>

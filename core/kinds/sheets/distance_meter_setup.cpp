@@ -37,7 +37,7 @@ Columns<ReferenceLength> reference_columns() {
 }
 
 void add_tests(Fields<DistanceMeterSetup>& fields) {
-    fields.section("Tests")
+    fields.section("Statistical tests")
         .add(&DistanceMeterSetup::stated_s, "stated_s", "σ, stated or wanted",
              "Standard deviation of one distance that test a holds s against: of the maker, or what a job "
              "needs. Empty: no test a.",
