@@ -74,6 +74,7 @@ struct EquationBlock {
 struct TableBlock {
     Table table;
     TableView view = {};
+    std::string continued = {};  ///< title on pages where it goes on: "Table 12, continued"
 };
 /// A table of a model, an asset or a design.
 inline TableBlock evaluation_block(Table table, const DocumentLanguage& in) {

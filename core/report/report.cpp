@@ -41,6 +41,7 @@ struct Numbering {
     }
     void operator()(TableBlock& block) {
         block.table.title = in.say(tell<"Table %1. %2">(++tables, block.table.title));
+        block.continued = in.say(tell<"Table %1, continued">(tables));
     }
     void operator()(PlotBlock& block) { block.caption = figure(block.caption); }
     void operator()(SceneBlock& block) { block.caption = figure(block.caption); }
@@ -72,6 +73,28 @@ std::vector<EvaluatedAnalysis> those_in(const ReportContents& contents,
 
 bool is_heading(const ReportBlock& block) {
     return std::holds_alternative<HeadingBlock>(block);
+}
+
+/// Moves the picture of the only analysis, else the chart of its largest contributions, to the results on the
+/// first page.
+void move_answers_figure(Blocks& from, Blocks& to) {
+    auto found = std::ranges::find_if(
+        from, [](const ReportBlock& block) { return std::holds_alternative<SceneBlock>(block); });
+    if (found == from.end())
+        found = std::ranges::find_if(from, [](const ReportBlock& block) {
+            const auto* plot = std::get_if<PlotBlock>(&block);
+            return plot && plot->plot.id.find("-contributions") != std::string::npos;
+        });
+    if (found == from.end()) return;
+    to.push_back(std::move(*found));
+    const auto next = from.erase(found);
+    const auto level = [](const ReportBlock& block) {
+        const auto* heading = std::get_if<HeadingBlock>(&block);
+        return heading ? heading->level : 0;
+    };
+    // A heading with nothing below it goes too.
+    if (next == from.begin() || level(*(next - 1)) == 0) return;
+    if (next == from.end() || (level(*next) > 0 && level(*next) <= level(*(next - 1)))) from.erase(next - 1);
 }
 
 /// Adds the contents. A report of a few pages needs none; of many sections those of the first level are
@@ -112,6 +135,7 @@ ReportDocument build_report(const MadeProject& made, const std::vector<Evaluated
     before = shortened_to(room_before, before, Elsewhere::files, in);
     AnalysisChapters chapters =
         analysis_chapters(source, contents, room - lines_of(before) - lines_of(after));
+    if (analyses.size() == 1) move_answers_figure(chapters.body, before);
     Blocks& blocks = document.blocks;
     for (Blocks* part : {&before, &chapters.body, &after})
         std::move(part->begin(), part->end(), std::back_inserter(blocks));

@@ -62,8 +62,7 @@ TEST(Report, HasAllSectionsInOrder) {
                                                "2.5\u2002Law of propagation beside Monte Carlo",
                                                "2.6\u2002Joint coverage regions",
                                                "2.7\u2002Distributions",
-                                               "2.8\u2002Set-up in space",
-                                               "2.9\u2002Correlation",
+                                               "2.8\u2002Correlation",
                                                "3\u2002Provenance"};
     EXPECT_EQ(headings_of(test::sample_report()), expected);
 }
@@ -78,6 +77,21 @@ TEST(Report, BeginsWithTheFactsAndTheMatrixOfExpandedUncertainties) {
     EXPECT_EQ(plain_cell(*summary, 0, 2), "0.74");
     EXPECT_EQ(plain_cell(*summary, 3, 2), "0.10");
     EXPECT_EQ(plain_cell(*summary, 3, 1), "°");
+}
+
+/// The first page answers: results, then the picture of the only analysis, which is nowhere else.
+TEST(Report, ThePictureOfTheOnlyAnalysisIsBesideItsResults) {
+    const ReportDocument document = test::sample_report();
+    const auto of = [&](auto is) { return std::ranges::find_if(document.blocks, is); };
+    const auto picture = of([](const ReportBlock& b) { return std::holds_alternative<SceneBlock>(b); });
+    const auto chapter = of([](const ReportBlock& b) { return std::holds_alternative<HeadingBlock>(b); });
+    ASSERT_NE(picture, document.blocks.end());
+    EXPECT_LT(picture, chapter);
+    EXPECT_EQ(std::get<SceneBlock>(*picture).caption.rfind("Figure 1.", 0), 0U);
+    EXPECT_EQ(
+        std::ranges::count_if(document.blocks,
+                              [](const ReportBlock& b) { return std::holds_alternative<SceneBlock>(b); }),
+        1);
 }
 
 TEST(Report, ManyGroupsBecomeRowsOfTheMatrix) {

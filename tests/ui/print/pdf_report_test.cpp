@@ -237,6 +237,7 @@ TEST_F(PdfReport, LongTablesRepeatTheirHeadsOnEveryPage) {
     document.title = document.running_head = "Long table";
     TableBlock block;
     block.table.title = "Table 1. Many rows";
+    block.continued = "Table 1, continued";
     block.table.add("name").title = "Name of the row";
     block.table.add("value").figure(3).title = "Value";
     for (int i = 0; i < 200; ++i) block.table.row({"row " + std::to_string(i), 0.001 * i});
@@ -246,6 +247,8 @@ TEST_F(PdfReport, LongTablesRepeatTheirHeadsOnEveryPage) {
     for (const std::string& page : pages) EXPECT_TRUE(contains(page, "Name of the row"));
     EXPECT_TRUE(contains(pages.front(), "Table 1. Many rows"));
     EXPECT_FALSE(contains(pages[1], "Table 1. Many rows"));
+    EXPECT_FALSE(contains(pages.front(), "continued"));
+    for (std::size_t i = 1; i < pages.size(); ++i) EXPECT_TRUE(contains(pages[i], "Table 1, continued")) << i;
     EXPECT_TRUE(contains(pages.back(), "row 199"));
 }
 
