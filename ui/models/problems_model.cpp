@@ -95,6 +95,19 @@ QString member_words(const AnalysisEntry& analysis, const QStringList& parts) {
     return {};
 }
 
+/// Words for one of the certificates of an asset or analysis: "/certificates/0/number"; else empty.
+QString certificate_words(const Project& project, const SetupAddress& address, const QStringList& parts) {
+    if (parts.size() < 2 || parts[0] != QStringLiteral("certificates")) return {};
+    const AnalysisEntry* analysis =
+        address.owner == SetupOwner::analysis ? project.find_analysis(address.id) : nullptr;
+    const AssetEntry* asset = address.owner == SetupOwner::asset ? project.find_asset(address.id) : nullptr;
+    if (!analysis && !asset) return {};
+    const auto& all = analysis ? analysis->certificates : asset->certificates;
+    const auto at = static_cast<std::size_t>(parts[1].toUInt());
+    return at < all.size() && !all[at].number.empty() ? to_qt(name_of(all[at]))
+                                                      : ProblemsModel::tr("certificate %1").arg(at + 1);
+}
+
 /// Words for a part of an entry: "/setup/quantities/rows/2/value".
 QString part_words(const Project& project, const SetupAddress& address, const std::string& part) {
     QStringList parts = to_qt(part).split('/', Qt::SkipEmptyParts);
@@ -108,6 +121,8 @@ QString part_words(const Project& project, const SetupAddress& address, const st
             .arg(to_qt(symbol_to_unicode(pair->first)), to_qt(symbol_to_unicode(pair->second)));
     const QString member = analysis ? member_words(*analysis, parts) : QString();
     if (!member.isEmpty()) return member;
+    if (const QString words = certificate_words(project, address, parts); !words.isEmpty()) return words;
+    if (parts.first() == QStringLiteral("measured")) return ProblemsModel::tr("date of the measurement");
     if (parts.first() != QStringLiteral("setup")) return parts.join(QStringLiteral(" › "));
     parts.removeFirst();
     return field_words(find_schema(project, address), find_setup(project, address), parts);

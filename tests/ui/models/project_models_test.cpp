@@ -132,6 +132,17 @@ TEST_F(ProjectModelsTest, TheProjectShowsItsOwnProblemsOnly) {
     EXPECT_FALSE(exists(document.project(), address_of_path(document.project(), "/analyses/7")));
 }
 
+TEST_F(ProjectModelsTest, AProblemOfACertificateNamesIt) {
+    AnalysisEntry budget{"budget", "measurement-equation", "Budget", {}, {}, {}, {}, {}, {}};
+    budget.certificates = {{.number = "2026-114"}, {}};
+    Project project;
+    project.analyses = {budget};
+    const auto words = [&](const char* path) { return ProblemsModel::place_words(project, path); };
+    EXPECT_EQ(words("/analyses/0/certificates/0/issued"), "Budget: certificate 2026-114");
+    EXPECT_EQ(words("/analyses/0/certificates/1/number"), "Budget: certificate 2");
+    EXPECT_EQ(words("/analyses/0/measured"), "Budget: date of the measurement");
+}
+
 TEST_F(ProjectModelsTest, TheTreeShowsStatesAndProblems) {
     add_analysis_entry("a");
     ProjectTreeModel tree(document, runner);
