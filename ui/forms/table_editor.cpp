@@ -1,7 +1,7 @@
 // A table with what can be done to it.
 #include "ui/forms/table_editor.h"
 
-#include <QApplication>
+#include <QAction>
 #include <QFileDialog>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -13,9 +13,9 @@
 #include "ui/forms/complaint.h"
 #include "ui/forms/csv_import_dialog.h"
 #include "ui/forms/flow_layout.h"
+#include "ui/forms/row_tools.h"
 #include "ui/theme/core_text.h"
 #include "ui/theme/follow_font.h"
-#include "ui/theme/icons.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
@@ -46,8 +46,7 @@ TableEditor::TableEditor(const FieldSpec& field, const FieldContext& context, QW
       field_(field),
       model_(new SetupTableModel(context.document, context.address, context.schema, field.key, this)),
       view_(new SpreadsheetView(*model_, this)),
-      tools_(new QWidget(this)),
-      buttons_(new QWidget(tools_)),
+      tools_(new RowTools(*this, *view_, this)),
       note_(new QLabel(this)),
       origin_(new QLabel(this)),
       embed_(new QPushButton(tr("Take into the project"), this)),
@@ -57,7 +56,9 @@ TableEditor::TableEditor(const FieldSpec& field, const FieldContext& context, QW
     view_->setObjectName(to_qt(field.key));
     keep_room(*note_, 1);
     auto* buttons = new FlowLayout;
-    make_tools();
+    auto* import = new QAction(tr("Import CSV …"), this);
+    connect(import, &QAction::triggered, this, &TableEditor::import_csv);
+    tools_->add(QStringLiteral("import"), import->text(), import);
     buttons->addWidget(embed_);
     buttons->addWidget(all_columns_);
     origin_->setWordWrap(true);
@@ -87,58 +88,9 @@ TableEditor::TableEditor(const FieldSpec& field, const FieldContext& context, QW
     set_complaint({});
 }
 
-void TableEditor::make_tools() {
-    auto* row = new QHBoxLayout(tools_);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->addStretch(1);
-    row->addWidget(buttons_);
-    auto* places = new QHBoxLayout(buttons_);
-    places->setContentsMargins(0, 0, 0, 0);
-    places->setSpacing(2);
-    auto* import = new QAction(tr("Import CSV …"), this);
-    connect(import, &QAction::triggered, this, &TableEditor::import_csv);
-    places->addWidget(add_tool(QStringLiteral("add"), tr("Add row"), view_->append_row_action()));
-    places->addWidget(add_tool(QStringLiteral("remove"), tr("Delete rows"), view_->remove_rows_action()));
-    places->addWidget(add_tool(QStringLiteral("fill"), tr("Fill down"), view_->fill_down_action()));
-    places->addWidget(add_tool(QStringLiteral("import"), tr("Import CSV …"), import));
-    follow_font(*tools_, [this] { tools_->setFixedHeight(fontMetrics().height() + 8); });
-    buttons_->hide();
-    connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) { follow_focus(now); });
-}
-
-/// QWidget's destructor moves the focus away, when no member of this class is left.
-TableEditor::~TableEditor() {
-    disconnect(qApp, nullptr, this, nullptr);
-}
-
 QWidget* TableEditor::take_tools() {
     layout()->removeWidget(tools_);
     return tools_;
-}
-
-void TableEditor::follow_focus(const QWidget* focused) {
-    if (!buttons_) return;  // they went with the head that took them
-    buttons_->setVisible(focused && (isAncestorOf(focused) || buttons_->isAncestorOf(focused)));
-}
-
-QToolButton* TableEditor::add_tool(const QString& picture, const QString& text, QAction* action) {
-    auto* button = new QToolButton(buttons_);
-    button->setIcon(icon(picture));
-    button->setIconSize({16, 16});
-    button->setAutoRaise(true);
-    button->setFocusPolicy(Qt::TabFocus);
-    button->setText(text);
-    button->setToolButtonStyle(Qt::ToolButtonIconOnly);
-    const QString keys = action->shortcut().toString(QKeySequence::NativeText);
-    button->setToolTip(keys.isEmpty() ? text : QStringLiteral("%1 (%2)").arg(action->text(), keys));
-    button->setAccessibleName(text);
-    button->setEnabled(action->isEnabled());
-    connect(button, &QToolButton::clicked, this, [this, action] {
-        action->trigger();
-        view_->setFocus();  // the user types next
-    });
-    connect(action, &QAction::enabledChanged, button, &QWidget::setEnabled);
-    return button;
 }
 
 void TableEditor::hide_unused_columns() {

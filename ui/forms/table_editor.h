@@ -2,9 +2,7 @@
 #pragma once
 
 #include <QLabel>
-#include <QPointer>
 #include <QPushButton>
-#include <QToolButton>
 #include <vector>
 
 #include "ui/forms/field_editor.h"
@@ -13,11 +11,12 @@
 
 namespace covaria::ui {
 
+class RowTools;
+
 class TableEditor : public FieldEditor {
     Q_OBJECT
 public:
     TableEditor(const FieldSpec& field, const FieldContext& context, QWidget* parent);
-    ~TableEditor() override;
     /// The model follows the document by itself.
     void set_value(const SetupValue& value) override;
     void set_complaint(const QString& complaint) override;
@@ -26,16 +25,12 @@ public:
 
     SetupTableModel& model() { return *model_; }
     SpreadsheetView& view() { return *view_; }
-    /// Small buttons for rows and import: seen while the keyboard is in the table or in them. Whoever takes
-    /// them puts them into the head of the table.
+    /// Buttons for rows and import. Whoever takes them puts them into the head of the table.
     QWidget* take_tools();
     /// Asks for a file, shows the preview, replaces the table.
     void import_csv();
 
 private:
-    void make_tools();
-    QToolButton* add_tool(const QString& picture, const QString& text, QAction* action);
-    void follow_focus(const QWidget* focused);
     void choose_unit(int column, const QPoint& position);
     /// Hides columns for the seventh joint, say, of a table whose arms have six, unless all are asked for.
     void hide_unused_columns();
@@ -43,8 +38,7 @@ private:
     FieldSpec field_;
     SetupTableModel* model_;
     SpreadsheetView* view_;
-    QWidget* tools_;             ///< keeps its height
-    QPointer<QWidget> buttons_;  ///< in it, with the focus
+    RowTools* tools_;
     QLabel* note_;
     QLabel* origin_;  ///< names the file that a linked table is read from
     QPushButton* embed_;

@@ -93,7 +93,7 @@ MainWindow::~MainWindow() = default;
 void MainWindow::make_panes() {
     scene_ = new ScenePanel(runner_);
     budget_ = new BudgetPage(document_, runner_, selection_);
-    scene_->put_below_equations(budget_);
+    scene_->put_below_equations(budget_, budget_->tools());
     connect(budget_, &BudgetPage::quantity_asked, this, &MainWindow::go_to);
     views_ = new ViewActions(document_, scene_->view(), this);
     scene_->offer_views(views_->menu());

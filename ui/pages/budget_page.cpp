@@ -18,6 +18,7 @@
 #include "ui/forms/budget_foot.h"
 #include "ui/forms/budget_sheet_view.h"
 #include "ui/forms/complaint.h"
+#include "ui/forms/row_tools.h"
 #include "ui/models/roles.h"
 #include "ui/theme/document_language.h"
 #include "ui/theme/follow_font.h"
@@ -43,7 +44,13 @@ std::string shown_coefficient(double r) {
 }  // namespace
 
 BudgetPage::BudgetPage(Document& document, AnalysisRunner& runner, Selection& selection, QWidget* parent)
-    : QWidget(parent), document_(document), runner_(runner), selection_(selection) {
+    : QWidget(parent),
+      document_(document),
+      runner_(runner),
+      selection_(selection),
+      tools_(new QWidget(this)) {
+    new QHBoxLayout(tools_);
+    tools_->layout()->setContentsMargins(0, 0, 0, 0);
     pair_ = new PairCorrelation(document, this);
     column_ = new QVBoxLayout(this);
     column_->setContentsMargins(0, 4, 0, 8);  // the table has the whole stage
@@ -78,6 +85,7 @@ void BudgetPage::start_over() {
 
 void BudgetPage::clear() {
     pair_->follow(nullptr, nullptr);
+    qDeleteAll(tools_->findChildren<RowTools*>());
     delete std::exchange(foot_, nullptr);
     delete std::exchange(view_, nullptr);
     model_.reset();
@@ -98,6 +106,7 @@ void BudgetPage::show_analysis() {
     view_->setObjectName(QStringLiteral("budget"));
     view_->setAccessibleName(tr("Budget"));
     column_->insertWidget(0, view_, 100);
+    tools_->layout()->addWidget(new RowTools(*view_, *view_));
     foot_ = new BudgetFoot(result_row_, *view_, this);
     foot_->setObjectName(QStringLiteral("budget_result"));
     foot_->setAccessibleName(tr("Result of the budget"));

@@ -32,6 +32,8 @@ public:
     BudgetFoot* foot() const { return foot_; }
     /// Tells the correlations, and how far the law of propagation holds.
     QLabel& remark() const { return *remark_; }
+    /// Place of the buttons for rows, in the head of the budget.
+    QWidget& tools() const { return *tools_; }
     /// The correlation coefficient of the components of the two rows that are selected.
     QLineEdit& correlation() const { return pair_->field(); }
     /// Tab comes from `before` to the table, and from it to the correlation coefficient.
@@ -64,6 +66,7 @@ private:
     BudgetSheetView* view_ = nullptr;
     BudgetFoot* foot_ = nullptr;  ///< the result below the rows
     QVBoxLayout* column_ = nullptr;
+    QWidget* tools_;  ///< empty where `view` is null
     QLabel* remark_;
     PairCorrelation* pair_ = nullptr;
     DisplayUnits units_;

@@ -1,5 +1,6 @@
 #include "ui/scene_view/equations_view.h"
 
+#include <QEvent>
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
@@ -75,6 +76,25 @@ void EquationsView::show_equations(const QString& title, std::vector<ModelEquati
     for (const ModelEquation& equation : equations_) words << to_qt(equation.text);
     setAccessibleDescription(words.join(QLatin1Char('\n')));
     update();
+}
+
+void EquationsView::put_tools(QWidget& tools) {
+    tools_ = &tools;
+    tools.setParent(this);
+    tools.installEventFilter(this);
+    tools.show();
+    place_tools();
+}
+
+bool EquationsView::eventFilter(QObject* tools, QEvent* event) {
+    if (event->type() == QEvent::LayoutRequest) place_tools();
+    return QWidget::eventFilter(tools, event);
+}
+
+void EquationsView::place_tools() {
+    if (!tools_) return;
+    const QSize size = tools_->sizeHint();
+    tools_->setGeometry(width() - size.width() - int(narrow_margin), 4, size.width(), size.height());
 }
 
 int EquationsView::height_wanted(int width) const {

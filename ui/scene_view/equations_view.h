@@ -15,6 +15,8 @@ public:
 
     /// `title`: over the equations, the name of the analysis.
     void show_equations(const QString& title, std::vector<ModelEquation> equations);
+    /// Keeps a widget at its upper right.
+    void put_tools(QWidget& tools);
     /// Height of the pane for the equations at their usual size, where `width` is enough for the widest.
     int height_wanted(int width) const;
     QSize sizeHint() const override { return {800, 500}; }
@@ -22,8 +24,13 @@ public:
 
 protected:
     void paintEvent(QPaintEvent*) override;
+    void resizeEvent(QResizeEvent*) override { place_tools(); }
+    bool eventFilter(QObject* tools, QEvent* event) override;
 
 private:
+    void place_tools();
+
+    QWidget* tools_ = nullptr;
     QString title_;
     std::vector<ModelEquation> equations_;
 };

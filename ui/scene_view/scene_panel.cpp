@@ -111,8 +111,9 @@ void ScenePanel::take_context() {
     refresh();
 }
 
-void ScenePanel::put_below_equations(QWidget* page) {
+void ScenePanel::put_below_equations(QWidget* page, QWidget& tools) {
     below_ = page;
+    equations_->put_tools(tools);
     flat_->addWidget(page);
     flat_->setStretchFactor(0, 0);
     flat_->setStretchFactor(1, 1);
