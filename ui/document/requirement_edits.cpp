@@ -2,8 +2,10 @@
 
 #include <algorithm>
 
+#include "core/base/message.h"
 #include "core/text/symbol.h"
 #include "ui/document/setup_address.h"
+#include "ui/theme/core_text.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
@@ -26,6 +28,11 @@ const Requirement* find_requirement(const AnalysisEntry& analysis, const OutputQ
     const auto found = std::ranges::find_if(analysis.requirements,
                                             [&](const Requirement& r) { return is_about(r, output); });
     return found == analysis.requirements.end() ? nullptr : &*found;
+}
+
+QString complaint_of_limits(const std::optional<Quantity>& lower, const std::optional<Quantity>& upper) {
+    if (!lower || !upper || lower->si() < upper->si()) return {};
+    return to_qt(tell<"the %1 must be above the lower limit">(tell<"upper limit">()));
 }
 
 void change_requirements(Document& document, const std::string& analysis,

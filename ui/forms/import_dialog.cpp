@@ -20,13 +20,13 @@
 #include "ui/theme/core_text.h"
 #include "ui/theme/document_language.h"
 #include "ui/theme/strings.h"
+#include "ui/theme/theme.h"
 
 namespace covaria::ui {
 
 namespace {
 
 constexpr int left_out_role = Qt::UserRole, row_role = Qt::UserRole + 1;  // stored with the head of a row
-const QColor complaint_color(213, 94, 0, 60);
 
 /// Message with the line of the error, as the command line prints it.
 QString words_of(const Error& error) {
@@ -210,7 +210,7 @@ void ImportDialog::mark_line(int line) {
     const int row = static_cast<int>(found - shown_.row_numbers.begin()) + 1;
     const QSignalBlocker quiet(table_);
     for (int column = 0; column < table_->columnCount(); ++column)
-        if (QTableWidgetItem* item = table_->item(row, column)) item->setBackground(complaint_color);
+        if (QTableWidgetItem* item = table_->item(row, column)) item->setBackground(refused_ground());
     if (QTableWidgetItem* first = table_->item(row, 0)) table_->scrollToItem(first);
 }
 

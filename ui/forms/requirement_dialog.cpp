@@ -9,7 +9,6 @@
 #include <array>
 #include <string_view>
 
-#include "core/base/message.h"
 #include "core/text/symbol.h"
 #include "ui/document/requirement_edits.h"
 #include "ui/forms/finish_typing.h"
@@ -39,10 +38,13 @@ QString names_of(const std::vector<OutputQuantity>& outputs) {
 }  // namespace
 
 RequirementDialog::RequirementDialog(const std::vector<OutputQuantity>& outputs, const Requirement* now,
-                                     const DisplayUnits& units, QWidget* parent)
+                                     const DisplayUnits& units, std::size_t left_out, QWidget* parent)
     : QDialog(parent) {
     setWindowTitle(tr("Requirements for Results"));
     auto* words = new QLabel(names_of(outputs));
+    if (left_out > 0)
+        words->setText(words->text() + QLatin1Char('\n') +
+                       tr("Left out, for their unit is another: %1.").arg(left_out));
     words->setWordWrap(true);
     auto* form = new QFormLayout;
     const Unit unit = outputs.empty() ? Unit() : units.of(outputs.front().unit);
@@ -83,12 +85,10 @@ bool RequirementDialog::are_limits_in_order() {
         if (row.field.key == std::string_view("lowerLimit")) lower = row.edit;
         if (row.field.key == std::string_view("upperLimit")) upper = row.edit;
     }
-    const bool wrong =
-        lower->quantity() && upper->quantity() && !(lower->quantity()->si() < upper->quantity()->si());
-    upper->set_complaint(wrong ? to_qt(tell<"the %1 must be above the lower limit">(tell<"upper limit">()))
-                               : QString());
-    if (wrong) upper->setFocus();
-    return !wrong;
+    const QString complaint = complaint_of_limits(lower->quantity(), upper->quantity());
+    upper->set_complaint(complaint);
+    if (!complaint.isEmpty()) upper->setFocus();
+    return complaint.isEmpty();
 }
 
 void RequirementDialog::apply_to(Requirement& requirement) const {
@@ -100,11 +100,12 @@ void ask_what_is_required(Document& document, const std::string& analysis,
                           std::vector<OutputQuantity> outputs, const DisplayUnits& units, QWidget* parent) {
     if (outputs.empty()) return;
     const auto dimension = outputs.front().unit.dimension();
-    std::erase_if(outputs, [&](const OutputQuantity& o) { return o.unit.dimension() != dimension; });
+    const std::size_t left_out =
+        std::erase_if(outputs, [&](const OutputQuantity& o) { return o.unit.dimension() != dimension; });
     const AnalysisEntry* entry = document.project().find_analysis(analysis);
     if (!entry) return;
     const Requirement* now = find_requirement(*entry, outputs.front());
-    RequirementDialog dialog(outputs, now, units, parent);
+    RequirementDialog dialog(outputs, now, units, left_out, parent);
     if (dialog.exec() != QDialog::Accepted) return;
     change_requirements(document, analysis, outputs,
                         [&dialog](Requirement& requirement) { dialog.apply_to(requirement); });

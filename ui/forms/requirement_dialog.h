@@ -17,9 +17,10 @@ class QuantityEdit;
 class RequirementDialog : public QDialog {
     Q_OBJECT
 public:
-    /// `now`: what is required of the first result; null: nothing.
+    /// `now`: what is required of the first result; null: nothing. `left_out`: results that were selected
+    /// too.
     RequirementDialog(const std::vector<OutputQuantity>& outputs, const Requirement* now,
-                      const DisplayUnits& units, QWidget* parent = nullptr);
+                      const DisplayUnits& units, std::size_t left_out, QWidget* parent = nullptr);
 
     /// Gives a requirement the figures that were typed.
     void apply_to(Requirement& requirement) const;

@@ -10,6 +10,7 @@
 #include "ui/document/setup_address.h"
 #include "ui/models/roles.h"
 #include "ui/theme/strings.h"
+#include "ui/theme/theme.h"
 
 namespace covaria::ui {
 
@@ -204,10 +205,10 @@ QVariant InputCorrelationModel::data(const QModelIndex& index, int role) const {
         case Qt::TextAlignmentRole:
             return QVariant(Qt::AlignRight | Qt::AlignVCenter);
         case Qt::BackgroundRole:
-            if (kept) return QColor(213, 94, 0, 60);
+            if (kept) return refused_ground();
             return complaint_.isEmpty() || a == b || coefficient(a, b) == 0.0
                        ? QVariant()
-                       : QVariant(QColor(213, 94, 0, 60));
+                       : QVariant(refused_ground());
         case Qt::ToolTipRole:
             if (kept) return kept->reason;
             return complaint_.isEmpty() ? to_qt(a + ", " + b) : complaint_;

@@ -1,11 +1,14 @@
 // The output quantities of a result: estimate, u, effective degrees of freedom, k, U, interval, first order
-// beside.
+// beside; what is required of them is typed here.
 #pragma once
 
 #include <QStringList>
+#include <map>
 #include <memory>
 
+#include "core/project/requirement_fields.h"
 #include "core/result/uncertainty_result.h"
+#include "ui/document/document.h"
 #include "ui/models/column_table_model.h"
 
 namespace covaria::ui {
@@ -16,7 +19,13 @@ public:
     enum class Interval { symmetric, shortest };
     using ColumnTableModel::ColumnTableModel;
 
-    /// A null result empties the table. `verdicts` on this result; none: no columns about requirements.
+    /// Lets target and limits be typed: they are requirements of this analysis. Without it nothing can be
+    /// typed.
+    void edit_requirements(Document& document, std::string analysis);
+    /// Outputs whose requirement is typed together with that of any one of them.
+    void set_typed_together(std::vector<std::size_t> outputs) { together_ = std::move(outputs); }
+    /// A null result empties the table. `verdicts` on this result; none: no column tells whether they are
+    /// met.
     void set_result(std::shared_ptr<const UncertaintyResult> result, bool current,
                     std::vector<RequirementResult> verdicts = {});
     /// Shows outputs of one group only; empty: all.
@@ -30,11 +39,30 @@ public:
     std::size_t output_of(int row) const { return shown_[static_cast<std::size_t>(row)]; }
     int row_of(std::size_t output) const;  ///< -1 when it is not shown
 
+    Qt::ItemFlags flags(const QModelIndex& index) const override;
+    QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
+    /// Takes a quantity as it is typed; a text that is none stays in its cell, marked.
+    bool setData(const QModelIndex& index, const QVariant& value, int role = Qt::EditRole) override;
+
 protected:
     QVariant extra(std::size_t row, std::size_t column, int role) const override;
 
 private:
+    /// A text that was typed and not taken.
+    struct Refused {
+        QString text, complaint;
+    };
+    using CellKey = std::pair<std::size_t, std::string>;  ///< output and column
+
     void rebuild();
+    /// Field of a requirement that the column is of; null: nothing is typed there.
+    const RequirementField* field_of(const QModelIndex& index) const;
+    const Refused* refused_in(const QModelIndex& index) const;
+    /// Unit in which a field of a requirement on the output is typed and shown.
+    Unit unit_of(std::size_t output, const RequirementField& field) const;
+    QString typed_text(std::size_t output, const RequirementField& field) const;
+    /// A complaint, or empty: the quantity is required now.
+    QString require(std::size_t output, const RequirementField& field, const QString& text);
     std::vector<std::string> keys() const;
     QString deviations(std::size_t row) const;
     bool is_wanted(std::size_t output) const;
@@ -47,6 +75,10 @@ private:
     std::vector<RequirementResult> verdicts_;
     QStringList words_;
     bool only_not_met_ = false;
+    Document* document_ = nullptr;
+    std::string analysis_;
+    std::vector<std::size_t> together_;
+    std::map<CellKey, Refused> refused_;
 };
 
 }  // namespace covaria::ui

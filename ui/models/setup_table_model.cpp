@@ -22,6 +22,7 @@
 #include "ui/theme/core_text.h"
 #include "ui/theme/label_text.h"
 #include "ui/theme/strings.h"
+#include "ui/theme/theme.h"
 
 namespace covaria::ui {
 
@@ -154,7 +155,7 @@ QVariant SetupTableModel::data(const QModelIndex& index, int role) const {
                        ? QVariant()
                        : QVariant(QGuiApplication::palette().color(QPalette::Disabled, QPalette::Text));
         case Qt::BackgroundRole:
-            return complaint(at).isEmpty() ? QVariant() : QVariant(QColor(213, 94, 0, 60));
+            return complaint(at).isEmpty() ? QVariant() : QVariant(refused_ground());
         case problem_role:
             return complaint(at);
         case path_role:

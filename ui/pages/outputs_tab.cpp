@@ -10,6 +10,7 @@
 #include <algorithm>
 
 #include "core/project/stated_requirements.h"
+#include "ui/forms/cell_delegate.h"
 #include "ui/forms/flow_layout.h"
 #include "ui/forms/form_labels.h"
 #include "ui/forms/requirement_dialog.h"
@@ -109,13 +110,23 @@ void OutputsTab::take_requirements() {
     std::vector<RequirementResult> verdicts;
     if (result_ && entry) verdicts = judge(*result_, *entry);
     only_not_met_->setEnabled(!verdicts.empty() || only_not_met_->isChecked());
+    const QModelIndex cell = table_->currentIndex();
+    model_.edit_requirements(document_, to_std(selection_.analysis()));
     model_.set_result(result_, current_, std::move(verdicts));
+    // The first requirement brings columns, and the cell that it was typed into stays the current one.
+    if (cell.isValid() && !table_->currentIndex().isValid()) table_->select_cell(cell.row(), cell.column());
+}
+
+std::vector<std::size_t> OutputsTab::selected_outputs() const {
+    std::vector<std::size_t> outputs;
+    for (const QModelIndex& cell : table_->selectionModel()->selectedRows())
+        outputs.push_back(cell.data(index_role).toULongLong());
+    return outputs;
 }
 
 void OutputsTab::require_of_selected() {
     std::vector<OutputQuantity> outputs;
-    for (const QModelIndex& cell : table_->selectionModel()->selectedRows())
-        outputs.push_back(result_->outputs[cell.data(index_role).toULongLong()].quantity);
+    for (const std::size_t output : selected_outputs()) outputs.push_back(result_->outputs[output].quantity);
     ask_what_is_required(document_, to_std(selection_.analysis()), outputs, units_.units(), this);
 }
 
@@ -140,6 +151,11 @@ void OutputsTab::make_table() {
     };
     connect(table_, &SortableTable::row_selected, this,
             [this](int row) { selection_.select_output(int(model_.output_of(row))); });
+    table_->setItemDelegate(new CellDelegate(table_));
+    table_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed |
+                            QAbstractItemView::AnyKeyPressed);
+    connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
+            [this] { model_.set_typed_together(selected_outputs()); });
 }
 
 }  // namespace covaria::ui

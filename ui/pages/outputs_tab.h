@@ -1,6 +1,8 @@
 // The results of an analysis: a row for each output quantity, and above them a filter and what is required.
 #pragma once
 
+#include <QWidget>
+
 #include "ui/document/document.h"
 #include "ui/document/selection.h"
 #include "ui/models/result_table_model.h"
@@ -48,6 +50,7 @@ private:
     QWidget* make_filter(QSpinBox& digits);
     void make_table();
     void take_filter();
+    std::vector<std::size_t> selected_outputs() const;
     void require_of_selected();
 
     Document& document_;

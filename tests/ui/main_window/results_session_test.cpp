@@ -19,6 +19,7 @@
 #include "ui/pages/outputs_tab.h"
 #include "ui/pages/sortable_table.h"
 #include "ui/pages/stage.h"
+#include "ui/pages/unit_button.h"
 #include "ui/scene_view/scene_view.h"
 
 namespace covaria::ui::results_session_test {
@@ -250,6 +251,73 @@ TEST_F(ResultsSession, OneDialogRequiresOfAllSelectedResults) {
     EXPECT_FALSE(words(0, "Target").isEmpty());
     window_->document().undo_stack().undo();
     EXPECT_EQ(required(), before);
+}
+
+/// A target is typed into its cell, for all selected rows of its unit; a text that is none stays, marked.
+TEST_F(ResultsSession, RequirementsAreTypedInTheTable) {
+    open(project_copy(QStringLiteral("tracker-pose")));
+    select(SetupOwner::analysis, "tracker-alone");
+    ASSERT_TRUE(wait_for([this] { return status().result != nullptr && status().is_current(); }));
+    OutputsTab& tab = window_->results().outputs();
+    SortableTable& view = tab.table();
+    window_->results().stage().show_view(&tab);
+    window_->document().apply(QStringLiteral("None"), [](Project& project) {
+        for (AnalysisEntry& analysis : project.analyses) analysis.requirements.clear();
+    });
+    settle();
+    ASSERT_GE(column("Target"), 0) << "there before anything is required";
+    EXPECT_EQ(column("Requirement"), -1);
+    const auto required = [this] {
+        return window_->document().project().find_analysis("tracker-alone")->requirements;
+    };
+    const auto type = [&](int row, const char* head, const QString& text) {
+        view.setFocus();
+        view.selectionModel()->setCurrentIndex(table().index(row, column(head)), QItemSelectionModel::NoUpdate);
+        QTest::keyClick(view.viewport(), Qt::Key_F2);
+        auto* editor = view.viewport()->findChild<QLineEdit*>();
+        ASSERT_NE(editor, nullptr);
+        editor->selectAll();
+        QTest::keyClicks(editor, text);
+        QTest::keyClick(editor, Qt::Key_Return);
+        settle();
+    };
+    view.clearSelection();
+    for (const int row : {0, 1, 2, 3})  // x, y, z and an angle
+        view.selectionModel()->select(table().index(row, 0),
+                                      QItemSelectionModel::Select | QItemSelectionModel::Rows);
+    const int steps = window_->document().undo_stack().index();
+    type(1, "Target", QStringLiteral("70 um"));
+    EXPECT_EQ(window_->document().undo_stack().index(), steps + 1) << "one step";
+    ASSERT_EQ(required().size(), 3u) << "the angle has another unit";
+    for (const Requirement& r : required())
+        EXPECT_DOUBLE_EQ(r.target_uncertainty->unit.interval_to_si(r.target_uncertainty->value), 70e-6);
+    EXPECT_GE(column("Requirement"), 0);
+    EXPECT_EQ(view.currentIndex().row(), 1);
+    EXPECT_EQ(view.currentIndex().column(), column("Target")) << "the next one is typed from here";
+
+    type(0, "Upper limit", QStringLiteral("x"));
+    EXPECT_EQ(window_->document().undo_stack().index(), steps + 1);
+    EXPECT_EQ(words(0, "Upper limit"), QStringLiteral("x")) << "as it was typed";
+    EXPECT_TRUE(table().index(0, column("Upper limit")).data(Qt::BackgroundRole).isValid());
+    EXPECT_TRUE(table().index(0, column("Upper limit")).data(Qt::ToolTipRole).toString().contains("x"));
+    type(0, "Upper limit", QStringLiteral("1000"));
+    type(0, "Lower limit", QStringLiteral("2000"));
+    EXPECT_FALSE(required()[0].lower_limit) << "above the upper one";
+    EXPECT_TRUE(table().index(0, column("Lower limit")).data(Qt::BackgroundRole).isValid());
+    type(0, "Lower limit", QStringLiteral("-2000"));
+    ASSERT_TRUE(required()[0].lower_limit && required()[0].upper_limit);
+    const Unit shown = window_->results().units().units().of(status().result->outputs[0].quantity.unit);
+    EXPECT_DOUBLE_EQ(required()[0].lower_limit->si(), shown.to_si(-2000.0)) << "in the unit of the table";
+    EXPECT_FALSE(table().index(0, column("Lower limit")).data(Qt::BackgroundRole).isValid());
+
+    view.selectionModel()->setCurrentIndex(table().index(0, column("Target")),
+                                           QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
+    QTest::keyClick(&view, Qt::Key_Delete);
+    EXPECT_FALSE(required()[0].target_uncertainty);
+    EXPECT_TRUE(required()[1].target_uncertainty) << "of the selected row only";
+    window_->grab().save(QStringLiteral(COVARIA_BINARY_DIR "/screenshots/results-requirements.png"));
+    while (window_->document().undo_stack().index() > steps) window_->document().undo_stack().undo();
+    EXPECT_TRUE(required().empty());
 }
 
 }  // namespace
