@@ -68,6 +68,7 @@ Problems MadeProject::problems() const {
     Problems all;
     check_ids(project_->assets, "/assets", all);
     check_ids(project_->analyses, "/analyses", all);
+    check_review(project_->review, all);
     check_certificate(project_->certificate, all);
     check_certificate_logo(*project_, all);
     check_accredited_probability(*project_, all);

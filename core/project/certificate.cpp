@@ -95,6 +95,16 @@ std::vector<CertificateField> fields_of_authorisation() {
             {"authorised", "function", "Function", "Of that person in the laboratory.", &C::function}};
 }
 
+std::vector<CertificateField> fields_of_amendment() {
+    return {{"replaces", "number", "Replaces certificate",
+             "Number of the certificate that this one replaces; empty: it is no amended one.", &C::replaces,
+             line_of_text, "7.8.8.2"},
+            {"replaces", "issued", "Its date of issue", "ISO 8601: 2026-04-20.", &C::replaced_issued,
+             CertificateText::date, "7.8.8.2"},
+            {"replaces", "reasons", "Reasons of the amendment", "What was wrong or has changed, and why.",
+             &C::reasons, lines, "7.8.8.1"}};
+}
+
 bool is_language(const std::string& code) {
     const auto& all = certificate_languages();
     return std::any_of(all.begin(), all.end(),
@@ -154,7 +164,8 @@ const std::vector<CertificateSection>& certificate_sections() {
         {"Item", fields_of_item()},
         {"Dates", fields_of_dates()},
         {"Calibration", fields_of_calibration()},
-        {"Authorisation", fields_of_authorisation()}};
+        {"Authorisation", fields_of_authorisation()},
+        {"Amended certificate", fields_of_amendment()}};
     return sections;
 }
 
@@ -237,6 +248,12 @@ void check_certificate(const Certificate& certificate, Problems& problems) {
                 tell<"the item cannot have been calibrated before it was received">(), problems);
     check_order(certificate, &C::calibrated, &C::issued,
                 tell<"the certificate cannot have been issued before the calibration">(), problems);
+    check_order(certificate, &C::replaced_issued, &C::issued,
+                tell<"the certificate cannot have been issued before the one that it replaces">(), problems);
+    if (!is_blank(certificate.replaces) && certificate.replaces == certificate.number)
+        problems.error(pointer_of(certificate_field(&C::replaces)),
+                       tell<"an amended certificate has a number of its own, not that of the one that it "
+                            "replaces">());
 }
 
 Problems missing_in(const Certificate& certificate, Conformity conformity) {

@@ -23,6 +23,8 @@ struct Certificate {
     std::string method = {}, deviations = {}, environment = {}, traceability = {}, adjustment = {},
                 specification = {}, remarks = {};
     std::string authorised_by = {}, function = {};
+    /// Number and date of the certificate that this one replaces, and why it does.
+    std::string replaces = {}, replaced_issued = {}, reasons = {};
 
     bool empty() const { return *this == Certificate{}; }
     bool operator==(const Certificate&) const = default;
@@ -95,8 +97,9 @@ bool is_missing(const CertificateField& field, const Certificate& certificate,
 
 /// The reason why a text cannot stand in a field (a date or country that is none); empty where it can.
 Message complaint_about(const CertificateField& field, const std::string& text);
-/// Reports an error for texts that cannot stand in their fields, and a warning for dates in the wrong order
-/// and for a country that only a digital certificate needs; paths are from the root of the project.
+/// Reports an error for texts that cannot stand in their fields, and for an amended certificate that has the
+/// number of the one that it replaces; a warning for dates in the wrong order and for a country that only a
+/// digital certificate needs; paths are from the root of the project.
 void check_certificate(const Certificate& certificate, Problems& problems);
 /// The gaps of a certificate: an error for each text that the clauses require and that is missing.
 Problems missing_in(const Certificate& certificate, Conformity conformity = Conformity::not_stated);

@@ -6,12 +6,14 @@
 #include <string>
 #include <vector>
 
+#include "core/project/amendment.h"
 #include "core/project/asset_certificate.h"
 #include "core/project/certificate.h"
 #include "core/project/design.h"
 #include "core/project/kept_state.h"
 #include "core/project/project_results.h"
 #include "core/project/report_contents.h"
+#include "core/project/review.h"
 #include "core/project/saved_view.h"
 #include "core/project/study.h"
 #include "core/propagation/options.h"
@@ -118,7 +120,10 @@ struct Project {
     std::string notes = {};
     std::string author = {};
     std::string number = {};  ///< number by which the author's house knows the project
+    Review review = {};
     Certificate certificate = {};
+    /// What the certificate stated that this one replaces.
+    Amendment amendment = {};
     ReportContents report = {};
     ProjectResults results = {};
     std::vector<AssetEntry> assets = {};
@@ -132,9 +137,9 @@ struct Project {
     const AnalysisEntry* find_analysis(const std::string& id) const;
     bool operator==(const Project& other) const {
         return title == other.title && notes == other.notes && author == other.author &&
-               number == other.number && results == other.results && certificate == other.certificate &&
-               report == other.report && assets == other.assets && analyses == other.analyses &&
-               kept == other.kept;
+               number == other.number && review == other.review && results == other.results &&
+               certificate == other.certificate && amendment == other.amendment && report == other.report &&
+               assets == other.assets && analyses == other.analyses && kept == other.kept;
     }
 };
 

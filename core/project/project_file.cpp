@@ -7,6 +7,7 @@
 
 #include "core/base/file_io.h"
 #include "core/base/in_quotes.h"
+#include "core/project/amendment_fields.h"
 #include "core/project/analysis_fields.h"
 #include "core/project/asset_certificate_fields.h"
 #include "core/project/certificate_json.h"
@@ -17,6 +18,7 @@
 #include "core/project/project_results_json.h"
 #include "core/project/project_text.h"
 #include "core/project/report_contents_fields.h"
+#include "core/project/review_fields.h"
 #include "core/project/setup_json.h"
 
 namespace covaria {
@@ -61,9 +63,11 @@ public:
         project.notes = reader.text("notes");
         project.author = reader.text("author");
         project.number = reader.text("number");
+        ObjectOf{review_fields()}.read(reader, "review", false, project.review);
         if (const Json* certificate = reader.find("certificate"))
             project.certificate =
                 certificate_from_json(*certificate, reader.path_of("certificate"), context_.problems);
+        ObjectOf{amendment_fields()}.read(reader, "amendment", false, project.amendment);
         if (const Json* report = reader.find("report"))
             project.report =
                 report_contents_fields().read(*report, reader.path_of("report"), context_.problems);

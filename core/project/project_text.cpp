@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "core/project/amendment_fields.h"
 #include "core/project/analysis_fields.h"
 #include "core/project/asides.h"
 #include "core/project/asset_certificate_fields.h"
@@ -13,6 +14,7 @@
 #include "core/project/project_results_json.h"
 #include "core/project/project_text.h"
 #include "core/project/report_contents_fields.h"
+#include "core/project/review_fields.h"
 #include "core/project/setup_json.h"
 
 namespace covaria {
@@ -97,7 +99,9 @@ void keep_numbers(Setup& setup) {
 Project numbers_only(Project project) {
     for (AnalysisEntry& analysis : project.analyses) analysis.options = effective_options(project, analysis);
     project.title = project.notes = project.author = project.number = {};
+    project.review = {};
     project.certificate = {};
+    project.amendment = {};
     project.report = {};
     project.results = {};
     project.kept.clear();
@@ -137,9 +141,17 @@ WrittenProject write_project(const Project& project) {
     member_if_given(out, "notes", project.notes);
     member_if_given(out, "author", project.author);
     member_if_given(out, "number", project.number);
+    if (!project.review.empty()) {
+        out.key("review");
+        review_fields().write(out, project.review);
+    }
     if (!project.certificate.empty()) {
         out.key("certificate");
         write_certificate(out, project.certificate);
+    }
+    if (!project.amendment.empty()) {
+        out.key("amendment");
+        amendment_fields().write(out, project.amendment);
     }
     if (!project.report.empty()) {
         out.key("report");

@@ -6,6 +6,7 @@
 #include "core/base/version.h"
 #include "core/made/certificate_gaps.h"
 #include "core/project/certificate_logo.h"
+#include "core/project/release.h"
 #include "core/report/certificate_defaults.h"
 #include "core/report/certificate_parts.h"
 #include "core/report/date_words.h"
@@ -37,18 +38,6 @@ std::vector<EvaluatedAnalysis> those_that_fit(const std::vector<EvaluatedAnalysi
     }
     if (fitting.empty() && !analyses.empty()) fitting.push_back(analyses.front());
     return fitting;
-}
-
-/// The lines of an address in one.
-std::string in_one_line(const std::string& text) {
-    std::string out;
-    for (std::size_t begin = 0; begin <= text.size();) {
-        const std::size_t end = std::min(text.find('\n', begin), text.size());
-        const std::string line = text.substr(begin, end - begin);
-        if (!is_blank(line)) out += (out.empty() ? "" : ", ") + line;
-        begin = end + 1;
-    }
-    return out;
 }
 
 /// The place as it is stated: the site where one was chosen, and the place.
@@ -91,6 +80,8 @@ void add_administration(Blocks& blocks, const Certificate& certificate, bool con
                         const DocumentLanguage& in) {
     using C = Certificate;
     if (is_blank(certificate.number)) add_facts(blocks, certificate, {&C::number}, in);
+    if (!is_blank(certificate.replaces))
+        add_facts(blocks, certificate, {&C::replaces, &C::replaced_issued, &C::reasons}, in);
     add_facts(blocks, certificate,
               {&C::laboratory, &C::laboratory_address, &C::accreditation, &C::place, &C::customer,
                &C::customer_address},
@@ -198,6 +189,17 @@ void add_closing(Blocks& blocks, const ReportSource& source, const std::vector<E
 
 }  // namespace
 
+std::string report_parts::in_one_line(const std::string& text) {
+    std::string out;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = std::min(text.find('\n', begin), text.size());
+        const std::string line = text.substr(begin, end - begin);
+        if (!is_blank(line)) out += (out.empty() ? "" : ", ") + line;
+        begin = end + 1;
+    }
+    return out;
+}
+
 ReportDocument build_certificate(const MadeProject& made, const std::vector<EvaluatedAnalysis>& analyses,
                                  const std::vector<FailedAnalysis>& failed, CertifiedResults which,
                                  const DocumentLanguage& in) {
@@ -217,9 +219,16 @@ ReportDocument build_certificate(const MadeProject& made, const std::vector<Eval
     document.head_on_every_page = true;
     if (auto logo = certificate_logo(made.project())) document.logo = *std::move(logo);
     const Blocks conformity = conformity_of(source, shown, in);
+    FactsBlock review;
+    add_review(review, made.project(), in);
+    const bool released = release_status(made.project()).state == ReleaseState::released;
+    // A draft says so at its head; who released a certificate stands where it is signed.
+    if (!released && !review.facts.empty()) document.blocks.push_back(review);
     add_administration(document.blocks, certificate, !conformity.empty(), in);
     add_results_of(document.blocks, source, shown, in);
     document.blocks.insert(document.blocks.end(), conformity.begin(), conformity.end());
+    add_changes(document.blocks, source, shown, in);
+    if (released) document.blocks.push_back(review);
     add_closing(document.blocks, source, shown, in);
     return document;
 }

@@ -86,4 +86,11 @@ inline const Phrase conformity_note{
     "tolerance over U. "
     "C_m: T/(2U) for U = 2u, T/(4u)."};
 
+// Words about what an amended certificate replaces
+inline const Phrase changes{"Changes to certificate %1"};
+inline const Phrase no_changed_result{"No result has changed."};
+inline const Phrase statement{"Statement"};
+inline const Phrase replaced{"Replaced certificate"};
+inline const Phrase amended{"This certificate"};
+
 }  // namespace covaria::certificate_words

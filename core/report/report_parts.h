@@ -53,6 +53,9 @@ void add_studies(Blocks& blocks, const EvaluatedAnalysis& evaluated, const Docum
 void add_designs(Blocks& blocks, const EvaluatedAnalysis& evaluated, const DocumentLanguage& in);
 void add_notes(Blocks& blocks, const ReportSource& source);
 void add_provenance(Blocks& blocks, const ReportSource& source);
+/// Adds who prepared, checked and released the project and the digest; of a draft, that it is one, and what
+/// changed since a release. Nothing where no review is stated.
+void add_review(FactsBlock& facts, const Project& project, const DocumentLanguage& in);
 
 /// Outputs by group against U, when there are several groups with the same measurands; else nothing.
 std::optional<TableBlock> summary_matrix(const UncertaintyResult& result, const Message& title,

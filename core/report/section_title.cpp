@@ -94,6 +94,7 @@ void add_title(Blocks& blocks, const ReportSource& source) {
     }
     if (!missing.empty()) add(tell<"Not in this report">(), missing);
     add(tell<"Project fingerprint">(), project_fingerprint(source));
+    add_review(facts, project, in);
     blocks.push_back(std::move(facts));
     add_paragraphs(blocks, source.made.project().notes);
     for (const FailedAnalysis& failed : source.failed)

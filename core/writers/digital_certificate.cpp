@@ -86,6 +86,11 @@ private:
                  slash == std::string::npos ? calibrated : calibrated.substr(slash + 1));
         add_text(core, "dcc:performanceLocation", site_of(certificate_).key);
         add_text(core, "dcc:issueDate", line_of(&C::issued));
+        if (const std::string replaced = line_of(&C::replaces); !replaced.empty()) {
+            xml_node change = core.append_child("dcc:reportAmendedSubstituted");
+            add_text(change, "dcc:typeOfChange", "amended");
+            add_text(change, "dcc:replacedUniqueIdentifier", replaced);
+        }
     }
 
     void write_item(xml_node item) const {
@@ -117,7 +122,7 @@ private:
 
     void write_statements(xml_node statements) const {
         for (const auto member : {&C::place, &C::specification, &C::condition, &C::deviations,
-                                  &C::traceability, &C::adjustment, &C::remarks}) {
+                                  &C::traceability, &C::adjustment, &C::remarks, &C::reasons}) {
             if (is_blank(certificate_.*member)) continue;
             xml_node statement = statements.append_child("dcc:statement");
             add_name(statement, certificate_field(member).title);
