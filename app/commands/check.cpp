@@ -13,6 +13,7 @@
 #include "core/base/file_io.h"
 #include "core/base/printable.h"
 #include "core/made/applicability.h"
+#include "core/project/release.h"
 #include "core/project/stated_requirements.h"
 #include "core/text/numbers.h"
 #include "core/views/seen_table.h"
@@ -24,6 +25,7 @@ struct CheckArguments {
     RunRequest request;
     std::string junit;
     std::optional<double> level;  ///< for tests of stated figures against residuals; empty: not asked
+    bool released = false;        ///< whether a draft is not met
 };
 
 /// One requirement on one output, judged.
@@ -99,6 +101,13 @@ TestSuite suite_of(const EvaluatedAnalysis& evaluated, const MadeProject& made, 
     return suite;
 }
 
+/// The release of the project: met where it is what was released.
+TestSuite suite_of_release(const Project& project) {
+    const ReleaseStatus status = release_status(project);
+    const std::string words = words_of(status, project.review).english();
+    return {"project", {{"release", status.state == ReleaseState::released ? "" : words}}, {}};
+}
+
 std::size_t failures_of(const TestSuite& suite) {
     std::size_t count = 0;
     for (const TestCase& one : suite.cases) count += !one.failure.empty();
@@ -158,6 +167,8 @@ Result<bool> check(const CheckArguments& arguments, const std::stop_token& stop)
     std::vector<TestSuite> suites;
     for (const EvaluatedAnalysis& one : evaluation->analyses)
         suites.push_back(suite_of(one, *evaluation->made, arguments.level));
+    const Project& project = (*opened)->project();
+    if (arguments.released) suites.push_back(suite_of_release(project));
     for (const FailedAnalysis& failed : evaluation->failed)
         suites.push_back({failed.id, {}, failed.cause.english()});
     if (!arguments.junit.empty())
@@ -165,6 +176,8 @@ Result<bool> check(const CheckArguments& arguments, const std::stop_token& stop)
             !written)
             return fail(written.error());
     const bool met = print_cases(suites);
+    if (const ReleaseStatus status = release_status(project); status.state != ReleaseState::unreviewed)
+        std::printf("the project: %s\n", words_of(status, project.review).english().c_str());
     if (auto complete = check_complete(*evaluation); !complete) return fail(complete.error());
     return met;
 }
@@ -181,6 +194,7 @@ Command check_command(CLI::App& app) {
     add_examples(*command, {{"check projects/conformity-micrometer.covaria", "every requirement, one a line"},
                             {"check projects/conformity-micrometer.covaria --junit requirements.xml",
                              "as test cases for a build server"},
+                            {"check order.covaria --released", "a draft is not met, too"},
                             {"check projects/er10l-c10.covaria --first-order --seen 0.05",
                              "whether residuals contradict what is stated, too"}});
     add_run_options(*command, arguments->request);
@@ -189,6 +203,8 @@ Command check_command(CLI::App& app) {
                      "hold stated uncertainties against residuals too, at this level (0.05)")
         ->type_name("LEVEL")
         ->check(CLI::Range(1e-6, 0.5));
+    command->add_flag("--released", arguments->released,
+                      "the project must be released, and be what was released");
     command->add_option("--junit", arguments->junit, "write the requirements as test cases (JUnit XML)")
         ->type_name("FILE");
     return {command, [arguments](const std::stop_token& stop) {

@@ -27,6 +27,7 @@ Command check_command(CLI::App& app);
 Command seen_command(CLI::App& app);
 Command compare_command(CLI::App& app);
 Command impact_command(CLI::App& app);
+Command release_command(CLI::App& app);
 Command design_command(CLI::App& app);
 Command report_command(CLI::App& app);
 Command render_command(CLI::App& app);

@@ -35,6 +35,14 @@ Result<void> check_arguments(const ImpactArguments& arguments) {
         return fail(
             ErrorCode::usage,
             "say what is replaced by what (--replace OLD NEW), or whose users are asked for (--used OLD)");
+    const RunRequest& method = arguments.method;
+    const bool evaluates =
+        method.trials || method.adaptive || method.first_order || method.seed || method.variance_reduction;
+    if (!arguments.used.empty() &&
+        (evaluates || !arguments.csv.empty() || !arguments.output.empty() || !arguments.amend.empty()))
+        return fail(ErrorCode::usage,
+                    "--used evaluates nothing: there are no changes to write (--csv, -o, --amend) and no "
+                    "method to choose; name the new figures, --replace OLD NEW");
     ReportFiles named;
     return arguments.output.empty() ? Result<void>{} : write_into_one_file(arguments.output, named);
 }
@@ -105,9 +113,7 @@ Result<void> write_files(const ImpactArguments& arguments, const Impact& impact,
         for (const std::string& name : impact.to_amend()) list += name + "\n";
         if (auto written = write_file_atomically(arguments.amend, list); !written) return written;
     }
-    return arguments.output.empty() || arguments.replaced.empty()
-               ? Result<void>{}
-               : write_impact_document(arguments, impact, stop);
+    return arguments.output.empty() ? Result<void>{} : write_impact_document(arguments, impact, stop);
 }
 
 /// Shows the impact; returns whether everything could be evaluated.

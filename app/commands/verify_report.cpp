@@ -13,6 +13,7 @@
 #include "core/carried/carried_check.h"
 #include "core/carried/carried_project.h"
 #include "core/carried/report_data.h"
+#include "core/project/release.h"
 #include "core/readers/entry_texts.h"
 
 namespace covaria {
@@ -48,8 +49,20 @@ void leave_out_studies(Evaluation& evaluation, const CarriedResults& carried) {
     });
 }
 
-/// False: something differs, which is said.
-Result<bool> verify_report(const ReportToVerify& report, const std::stop_token& stop) {
+/// What a report shows of itself.
+enum class Verdict { same, different, not_as_released };
+
+/// Says when the project of the report was released, and what of it is no longer as it was then.
+ReleaseState say_release(const std::string& report, const Project& project) {
+    const ReleaseStatus status = release_status(project);
+    if (status.state != ReleaseState::unreviewed)
+        std::printf("%s: its project: %s\n", report.c_str(),
+                    words_of(status, project.review).english().c_str());
+    return status.state;
+}
+
+/// Says what differs.
+Result<Verdict> verify_report(const ReportToVerify& report, const std::stop_token& stop) {
     const auto files = carried_files(report.file);
     if (!files) return fail(files.error());
     const auto carried = carried_results(*files);
@@ -72,11 +85,13 @@ Result<bool> verify_report(const ReportToVerify& report, const std::stop_token& 
         compare_carried(*files, report_data({*evaluation->made, evaluation->analyses, evaluation->failed}));
     if (!comparison.same()) {
         std::printf("%s%s: not the same bits\n", words_of(comparison).c_str(), report.file.c_str());
-        return false;
+        say_release(report.file, loaded.project);
+        return Verdict::different;
     }
     std::printf("%s: same bits: the results of %zu %s\n", report.file.c_str(), carried->analyses.size(),
                 carried->analyses.size() == 1 ? "analysis" : "analyses");
-    return true;
+    return say_release(report.file, loaded.project) == ReleaseState::changed ? Verdict::not_as_released
+                                                                             : Verdict::same;
 }
 
 }  // namespace
@@ -90,15 +105,19 @@ Command verify_report_command(CLI::App& app) {
         "A report of covaria report or of the window carries its project, the CSV files of it, and its "
         "results.\n"
         "Exit status 0: they are computed again to the same bits; 1: what differs is listed, or it could not "
-        "be "
-        "read.");
+        "be read;\n"
+        "3: the same bits, but its project was released once and is no longer what was released.");
     command->add_option("FILE", report->file, "report (*.pdf)")->required();
     add_threads_option(*command, report->threads);
     return {command, [report](const std::stop_token& stop) -> int {
-                const auto same = verify_report(*report, stop);
-                if (same) return *same ? exit_success : exit_bad_input;
-                print_error(same.error());
-                return exit_status_of(same.error());
+                const auto verdict = verify_report(*report, stop);
+                if (!verdict) {
+                    print_error(verdict.error());
+                    return exit_status_of(verdict.error());
+                }
+                return *verdict == Verdict::same        ? exit_success
+                       : *verdict == Verdict::different ? exit_bad_input
+                                                        : exit_not_met;
             }};
 }
 
