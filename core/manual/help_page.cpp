@@ -240,7 +240,7 @@ Result<std::vector<HelpPage>> help_pages(const DocumentLanguage& in) {
         pages.push_back(std::move(*page));
         return {};
     };
-    for (const char* id : {"first-steps", "analysis", "results", "scene"})
+    for (const char* id : {"first-steps", "analysis", "results", "release", "scene"})
         if (auto added = add(shipped_page(id, in)); !added) return fail(added.error());
     pages.push_back(options_page(in));
     pages.push_back(certificate_page(in));

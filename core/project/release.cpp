@@ -196,7 +196,8 @@ Result<void> release(Project& project) {
     Review& review = project.review;
     review.digest = digest_of(content);
     review.parts = PartList(content).parts;
-    review.log.push_back({review.released.date, review.released.name, "Released, digest " + review.digest});
+    review.log.push_back({review.released.date, review.released.name,
+                          "Released, digest " + review.digest.substr(0, digits_of_part) + "..."});
     return {};
 }
 

@@ -94,5 +94,95 @@ TEST(Compare, WhatIsMissingIsWrongUsageOrBadInput) {
     EXPECT_EQ(run_program({"compare", stewart, stewart, "--analysis", "nothing"}).status, 1);
 }
 
+/// The certificate of a gauge block of which the customer's address and one comparison were wrong.
+class Amended : public testing::Test {
+protected:
+    Amended() {
+        std::string text = read_text(certificate);
+        for (const auto& [from, to] :
+             {std::pair("22 Factory Road", "24 Factory Road"), {"-94, \"nm\"", "-49, \"nm\""}}) {
+            const std::size_t at = text.find(from);
+            EXPECT_NE(at, std::string::npos) << from;
+            text.replace(at, std::string(from).size(), to);
+        }
+        write_text(right, text);
+    }
+    std::vector<std::string> amend(const std::string& old, const std::string& to) const {
+        return {"compare",
+                old,
+                right.string(),
+                "--amend",
+                "L-2026-0417-A",
+                "--reason",
+                "A digit was wrong",
+                "--issued",
+                "2026-05-04",
+                "-o",
+                to};
+    }
+    const std::filesystem::path folder = fresh_folder("amended"), right = folder / "right.covaria";
+    const std::string certificate = shipped_project("certificate-gauge-block.covaria").string();
+    const std::string space = "\u202f";
+};
+
+TEST_F(Amended, StatesWhatItReplacesWhyAndWhatHasChanged) {
+    const auto to = folder / "amended.md";
+    const Outcome made = run_program(amend(certificate, to.string()));
+    ASSERT_EQ(made.status, 0) << made.err;
+    const std::string text = read_text(to);
+    for (const std::string& words :
+         {std::string("Calibration certificate L-2026-0417-A"), std::string("L-2026-0417"),
+          std::string("20 April 2026"), std::string("4 May 2026"), std::string("A digit was wrong"),
+          std::string("Changes to certificate L-2026-0417"), std::string("22 Factory Road, 20095 Exampleton"),
+          std::string("24 Factory Road, 20095 Exampleton"), "(49.999" + space + "926 ±",
+          "(49.999" + space + "971 ±"})
+        EXPECT_NE(text.find(words), std::string::npos) << words << "\n" << text;
+    const std::string changes = text.substr(text.find("Changes to certificate"));
+    EXPECT_EQ(changes.find("Example Length Laboratory"), std::string::npos) << "it has not changed";
+}
+
+TEST_F(Amended, IsMadeOfTheIssuedPdfAndCarriesItsProject) {
+    const auto issued = folder / "issued.pdf", pdf = folder / "amended.pdf",
+               project = folder / "amended.covaria";
+    ASSERT_EQ(run_program({"report", certificate, "--certificate", "-o", issued.string()}).status, 0);
+    const Outcome made = run_program(amend(issued.string(), pdf.string()));
+    ASSERT_EQ(made.status, 0) << made.err;
+    const Outcome same = run_program({"verify-report", pdf.string()});
+    EXPECT_EQ(same.status, 0) << same.out << same.err;
+    ASSERT_EQ(run_program(amend(issued.string(), project.string())).status, 0);
+    EXPECT_EQ(run_program({"validate", project.string(), "--certificate"}).status, 0);
+    const auto again = folder / "again.md", there = folder / "there.md";
+    ASSERT_EQ(run_program({"report", project.string(), "--certificate", "-o", again.string()}).status, 0);
+    ASSERT_EQ(run_program(amend(issued.string(), there.string())).status, 0);
+    EXPECT_EQ(read_text(again), read_text(there));
+    // What is put right again has not changed.
+    ASSERT_EQ(run_program({"report", project.string(), "--certificate", "--set",
+                           "/analyses/length/setup/quantities/rows/d/value=-94", "-o", again.string()})
+                  .status,
+              0);
+    EXPECT_NE(read_text(again).find("No result has changed."), std::string::npos);
+}
+
+TEST_F(Amended, IsRefusedWhereItsReferenceWouldBeNone) {
+    const std::string to = (folder / "amended.covaria").string(), plain = gauge;
+    const auto status = [&](std::vector<std::string> arguments) { return run_program(arguments).status; };
+    EXPECT_EQ(status(amend(plain, to)), 1) << "the one to replace has no number";
+    EXPECT_EQ(
+        status({"compare", certificate, right.string(), "--amend", "L-2026-0417", "--reason", "x", "-o", to}),
+        1)
+        << "no number of its own";
+    EXPECT_EQ(status({"compare", certificate, right.string(), "--amend", "A", "--reason", "x", "--issued",
+                      "soon", "-o", to}),
+              1);
+    EXPECT_EQ(status({"compare", certificate, right.string(), "--amend", "A", "-o", to}), 2);
+    EXPECT_EQ(status({"compare", certificate, right.string(), "--amend", "A", "--reason", "x"}), 2);
+    EXPECT_EQ(status({"compare", certificate, right.string(), "--reason", "x", "-o", to}), 2);
+    EXPECT_EQ(status({"compare", certificate, right.string(), "--issued", "2026-05-04", "-o", to}), 2);
+    EXPECT_EQ(status({"compare", certificate, right.string(), "--amend", "A", "--reason", "x", "--analysis",
+                      "length", "-o", to}),
+              2);
+    EXPECT_FALSE(std::filesystem::exists(to));
+}
+
 }  // namespace
 }  // namespace covaria::compare_test

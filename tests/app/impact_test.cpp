@@ -70,6 +70,13 @@ TEST(ImpactCommand, RefusesWhatIsNoQuestion) {
     EXPECT_EQ(run_program({"impact", three_years.string()}).status, 2);
     EXPECT_EQ(run_program({"impact", "--used", "x", "--replace", "x", "y", three_years.string()}).status, 2);
     EXPECT_EQ(run_program({"impact", "--used", "x", "/nowhere/at/all"}).status, 1);
+    const std::string out = (fresh_folder("refused") / "impact").string();
+    for (const auto& [option, value] : {std::pair("--csv", out + ".csv"),
+                                        {"-o", out + ".pdf"},
+                                        {"--amend", out + ".txt"},
+                                        {"--trials", "2000"}})
+        EXPECT_EQ(run_program({"impact", "--used", "x", three_years.string(), option, value}).status, 2)
+            << option << ": nothing is evaluated that it could be of";
 }
 
 TEST(CheckCommand, JudgesCertificates) {

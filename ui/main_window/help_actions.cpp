@@ -155,6 +155,7 @@ void HelpActions::add_to(QMenu& menu) {
     };
     add_page(tr("An Everyday &Budget"), "first-steps");
     add_page(tr("&Results and Requirements"), "results");
+    add_page(tr("Re&view and Release"), "release");
     add_page(tr("What Every Analysis &Has"), "analysis");
     add_page(tr("The S&cene"), "scene");
     add_page(tr("&Glossary"), "glossary");

@@ -50,6 +50,7 @@ QString words_of_project(const std::string& path) {
     for (const CertificateField& field : certificate_fields())
         if (path == pointer_of(field))
             return ProblemsModel::tr("Project: certificate, %1").arg(core_text(field.title));
+    if (path.starts_with("/review/")) return ProblemsModel::tr("Project: review");
     return path.starts_with("/report/") ? ProblemsModel::tr("Project: report") : to_qt(path);
 }
 

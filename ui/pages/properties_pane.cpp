@@ -20,6 +20,7 @@
 #include "ui/forms/quantity_edit.h"
 #include "ui/forms/report_form.h"
 #include "ui/forms/requirements_form.h"
+#include "ui/forms/review_form.h"
 #include "ui/forms/scrolled.h"
 #include "ui/forms/setup_form.h"
 #include "ui/forms/spreadsheet_view.h"
@@ -156,6 +157,12 @@ void PropertiesPane::add_project_pages() {
     forms_.certificate = new CertificateForm(document_);
     set_help_place(*forms_.certificate, QStringLiteral("certificate"));
     groups_->add(forms_.certificate, tr("Certificate"), true);
+    forms_.review = new ReviewForm(document_);
+    set_help_place(*forms_.review, QStringLiteral("release-review-and-release"));
+    const int review = groups_->add(forms_.review, tr("Review"));
+    connect(forms_.review, &ReviewForm::summary_changed, groups_,
+            [groups = groups_, review](const QString& words) { groups->set_summary(review, words); });
+    forms_.review->show_state();
     groups_->add(new ReportForm(document_), tr("Report"));
 }
 
@@ -243,8 +250,8 @@ void PropertiesPane::go_to_field(const QString& path) {
     const auto group = group_of_place(field, entry_path(document_.project(), selection_.entry()));
     if (forms_.inputs && group) groups_->open(*group);  // a hidden field gets no focus
     const auto focus_in = [&](auto*... forms) { (void)((forms && forms->focus_field(field)) || ...); };
-    focus_in(forms_.project, forms_.studies, forms_.designs, forms_.requirements, forms_.sources,
-             forms_.setup, forms_.options, forms_.inputs);
+    focus_in(forms_.project, forms_.review, forms_.studies, forms_.designs, forms_.requirements,
+             forms_.sources, forms_.setup, forms_.options, forms_.inputs);
 }
 
 }  // namespace covaria::ui

@@ -26,6 +26,7 @@ class InputsPage;
 class InspectorHead;
 class OptionsForm;
 class ProjectPage;
+class ReviewForm;
 class RequirementsForm;
 class DesignsForm;
 class StudiesForm;
@@ -64,6 +65,7 @@ private:
         SetupForm* setup = nullptr;
         CertificateForm* certificate = nullptr;
         ProjectPage* project = nullptr;
+        ReviewForm* review = nullptr;
         InputsPage* inputs = nullptr;
         OptionsForm* options = nullptr;
         StudiesForm* studies = nullptr;

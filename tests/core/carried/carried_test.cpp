@@ -9,6 +9,7 @@
 #include "core/carried/carried_check.h"
 #include "core/carried/carried_project.h"
 #include "core/carried/report_data.h"
+#include "core/project/release.h"
 #include "tests/core/writers/evaluated.h"
 #include "tests/fresh_folder.h"
 
@@ -103,6 +104,25 @@ TEST(Carried, WhatWasKeptInTheProjectIsNotSentWithIt) {
     const Evaluated evaluated = writers_test::evaluate(project);
     EXPECT_EQ(find(data_of(evaluated), carried::project)->bytes,
               find(data_of(plain), carried::project)->bytes);
+}
+
+/// With its CSV files, with meshes, with a logo that is not beside it.
+TEST(Carried, WhatWasReleasedIsWhatIsCarried) {
+    for (const char* name :
+         {"stewart-platform.covaria", "force-moment-sensor.covaria", "certificate-gauge-block.covaria"}) {
+        Project project = writers_test::loaded(data_directory() / "projects" / name);
+        for (AnalysisEntry& analysis : project.analyses) analysis.options.method = Method::first_order;
+        for (AnalysisEntry& analysis : project.analyses) analysis.options.trials = 0;
+        project.certificate.logo = "/nowhere/logo.png";
+        put_kept(project.kept, state_to_keep(project, project.analyses.front().id, "2026-11-20T09:30:00Z"));
+        for (const ReviewStepField& step : review_steps())
+            project.review.*step.member = {"A. Ames", "2026-11-28"};
+        ASSERT_TRUE(release(project));
+        const LoadedProject back = load_carried("report.pdf", data_of(writers_test::evaluate(project)));
+        EXPECT_EQ(release_status(back.project).state, ReleaseState::released)
+            << name << ": " << list_of_changes(release_status(back.project));
+        EXPECT_EQ(back.project.review, project.review);
+    }
 }
 
 /// Eight bytes say that it is a PNG file; nobody draws it here.

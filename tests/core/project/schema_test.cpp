@@ -91,10 +91,21 @@ TEST(JsonSchema, HasTheKeysThatAreWritten) {
     project.report = {{"a"}, {"scene"}, true};
     project.results.style.digits = 1;
     put_kept(project.kept, state_of_other(project, "a", "hall.covaria: a", "a", "2026-11-20T09:30:00Z"));
+    const std::string digest(64, '0');
+    project.review = {{"A", "2026-01-02"}, {"B", "2026-01-03"},       {"C", "2026-01-04"}, digest,
+                      {{"/p", "n", "0"}},  {{"2026-01-04", "C", "w"}}};
+    project.amendment = {{{"method", "m"}}, {{"a", "g", "y", 1, 2, Unit::of("mm"), ReplacedDecision::fail}}};
     const Json whole = Json::parse(project_text(project)), written = whole["analyses"][0];
     const std::pair<const char*, Json> objects[] = {
         {"report", whole["report"]},
         {"keptState", whole["kept"][0]},
+        {"review", whole["review"]},
+        {"reviewStep", whole["review"]["released"]},
+        {"releasedPart", whole["review"]["parts"][0]},
+        {"reviewEntry", whole["review"]["log"][0]},
+        {"amendment", whole["amendment"]},
+        {"replacedText", whole["amendment"]["texts"][0]},
+        {"replacedResult", whole["amendment"]["results"][0]},
         {"link", written["links"][0]},
         {"inputEdit", written["inputs"][0]},
         {"component", written["inputs"][0]["components"][0]},
@@ -119,6 +130,8 @@ TEST(JsonSchema, HasTheKeysThatAreWritten) {
     for (const Problem& p : again.problems.items())
         EXPECT_EQ(p.message.english().find("there is no '"), std::string::npos)
             << p.path << ": " << p.message.english();
+    EXPECT_EQ(again.project.review, project.review);
+    EXPECT_EQ(again.project.amendment, project.amendment);
     ASSERT_EQ(again.project.analyses.size(), 1u);
     EXPECT_EQ(again.project.analyses[0].links, project.analyses[0].links);
     EXPECT_EQ(again.project.analyses[0].inputs, project.analyses[0].inputs);

@@ -3,7 +3,9 @@
 
 #include "core/base/file_io.h"
 #include "core/document/document_writers.h"
+#include "core/project/release.h"
 #include "core/project/stated_requirements.h"
+#include "core/report/amendment.h"
 #include "core/report/date_words.h"
 #include "core/report/report.h"
 #include "core/result/result_line.h"
@@ -288,6 +290,72 @@ TEST(DateWords, AreThoseOfTheLanguageAndWhatIsNoDateStays) {
     EXPECT_EQ(date_words("2026-05-07", chinese), "2026年5月7日");
     for (const char* other : {"", "soon", "2026-13-01", "2026-00-01", "2026-4-7", "— not stated —"})
         EXPECT_EQ(date_words(other, german), other);
+}
+
+TEST(CertificateReport, SaysWhoReleasedItAndOfADraftThatItIsOne) {
+    Made made(1);
+    EXPECT_FALSE(contains(to_html(made.document()), "Prepared by")) << "no review is stated";
+    made.project.review.prepared = {"A. Ames", "2026-11-26"};
+    made.project.review.checked = {"B. Bell", "2026-11-27"};
+    const ReportDocument draft = made.document();
+    EXPECT_EQ(std::get<FactsBlock>(draft.blocks.front()).facts.front().first, "Draft") << "at its head";
+    made.project.review.released = {"C. Cole", "2026-11-28"};
+    ASSERT_TRUE(release(made.project));
+    const std::string text = to_html(made.document());
+    EXPECT_TRUE(contains(text, "C. Cole, 28 November 2026"));
+    EXPECT_TRUE(contains(text, made.project.review.digest));
+    EXPECT_FALSE(contains(text, "Draft"));
+    made.project.certificate.customer += ".";
+    EXPECT_TRUE(contains(to_html(made.document()),
+                         "changed since the release by C. Cole, 28 November 2026: "
+                         "the texts of the certificate"));
+    EXPECT_FALSE(contains(to_html(made.document()), made.project.review.digest));
+}
+
+/// A result that moves, one that is gone, one that is new, a decision, a text; what stays is not there.
+TEST(CertificateReport, AnAmendedOneStatesWhatHasChanged) {
+    Made made(1);
+    const auto source = [&](const MadeProject& project) {
+        static const std::vector<FailedAnalysis> none;
+        return ReportSource{project, made.analyses, none};
+    };
+    const auto before = MadeProject::make(made.project);
+    Amendment amendment = statements_of(source(*before));
+    ASSERT_EQ(amendment.results.size(), 6u) << "three coordinates and three angles";
+    EXPECT_EQ(amendment.results[0].decision, ReplacedDecision::pass);
+    made.project.certificate.replaces = "K-1";
+    made.project.amendment = amendment;
+    made.project.certificate.customer = "Customer B";
+    const auto tables = [&] { return blocks_of<TableBlock>(made.document()).size(); };
+    const std::size_t unchanged = tables();
+    EXPECT_TRUE(contains(to_html(made.document()), "No result has changed."));
+    const auto in_other_unit = [](ReplacedResult& result, double factor) {
+        result.estimate /= factor;
+        result.expanded_uncertainty /= factor;
+    };
+    made.project.amendment.results[1].unit = Unit::of("m");
+    in_other_unit(made.project.amendment.results[1], 1000.0);
+    EXPECT_EQ(tables(), unchanged) << "the unit is no change";
+    made.project.amendment.results[0].decision = ReplacedDecision::fail;
+    made.project.amendment.results[2].estimate += 100.0;
+    made.project.amendment.results.erase(made.project.amendment.results.begin() + 4);
+    made.project.amendment.results.push_back(
+        {"typed", "pose 9", "x", 1.0, 0.1, test::mm(), ReplacedDecision::none});
+    EXPECT_EQ(tables(), unchanged + 1);
+    const std::string text = to_html(made.document());
+    const std::string changes = text.substr(text.find("Changes to certificate K-1"));
+    for (const char* words : {"fail (rejected)", "pass (accepted)", "(1.00 ± 0.10)", "pose 9", "Customer B"})
+        EXPECT_TRUE(contains(changes, words)) << words;
+    const auto rows = [&](const std::string& id) {
+        for (const ReportBlock& block : made.document().blocks)
+            if (const auto* table = std::get_if<TableBlock>(&block); table && table->table.id == id)
+                return table->table.rows;
+        return std::size_t{0};
+    };
+    EXPECT_EQ(rows("amended-results"), 4u);
+    EXPECT_EQ(rows("amended-texts"), 1u);
+    made.project.certificate.replaces.clear();
+    EXPECT_FALSE(contains(to_html(made.document()), "Customer B</td>")) << "it replaces none";
 }
 
 }  // namespace

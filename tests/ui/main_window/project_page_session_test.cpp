@@ -2,6 +2,7 @@
 // undone.
 #include <QComboBox>
 #include <QDir>
+#include <QLabel>
 #include <QMenu>
 
 #include "tests/ui/main_window/session_fixture.h"
@@ -85,6 +86,35 @@ TEST_F(ProjectPageSession, UnitsThatAreShownCanBeThoseOfItsDocuments) {
     window_->document().undo();
     EXPECT_TRUE(window_->document().project().results.style.units.chosen().empty());
     window_->preferences().set({});
+}
+
+TEST_F(ProjectPageSession, AProjectIsReleasedAndADraftAgainWhenItChanges) {
+    open(project_copy());
+    const std::string before = bytes();
+    window_->selection().select_entry(project_address);
+    show_group(QStringLiteral("Review"));
+    type_into("/review/prepared/name", QStringLiteral("A. Ames"));
+    type_into("/review/checked/name", QStringLiteral("B. Bell"));
+    type_into("/review/released/name", QStringLiteral("C. Cole"));
+    auto* release = field<QPushButton>("release");
+    ASSERT_TRUE(wait_for([&] { return release->isEnabled(); })) << "the project has no errors";
+    QTest::mouseClick(release, Qt::LeftButton);
+    const auto* state = field<QLabel>("review_state");
+    EXPECT_TRUE(state->text().startsWith(QStringLiteral("Released by C. Cole on "))) << to_std(state->text());
+    QDir().mkpath(QStringLiteral(COVARIA_BINARY_DIR "/screenshots"));
+    settle();
+    window_->grab().save(QStringLiteral(COVARIA_BINARY_DIR "/screenshots/review-released.png"));
+    type_into("project_author", QStringLiteral("A. Author"));
+    EXPECT_TRUE(
+        state->text().startsWith(QStringLiteral("Draft again: changed since it was released by C. Cole")))
+        << to_std(state->text());
+    EXPECT_TRUE(state->text().endsWith(QStringLiteral(": the author."))) << to_std(state->text());
+    settle();
+    window_->grab().save(QStringLiteral(COVARIA_BINARY_DIR "/screenshots/review-draft-again.png"));
+    window_->document().undo();
+    EXPECT_TRUE(state->text().startsWith(QStringLiteral("Released by")));
+    while (window_->document().undo_stack().canUndo()) window_->document().undo_stack().undo();
+    EXPECT_EQ(bytes(), before);
 }
 
 }  // namespace
