@@ -4,17 +4,18 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 #include "core/base/file_io.h"
 #include "core/project/linked_files.h"
+#include "core/project/object_reader.h"
 #include "core/project/project_file.h"
 #include "tests/core/shipped_projects.h"
 
 namespace covaria::release_test {
 namespace {
 
-using Json = nlohmann::ordered_json;
 using Pointer = Json::json_pointer;
 
 void release_by(Project& project) {
