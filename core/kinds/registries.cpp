@@ -45,7 +45,7 @@ const std::vector<ModelDescriptor>& model_registry() {
         robot_pose_model(),           robot_circle_points_model(), robot_calibration_model(),
         force_channels_model(),       force_loads_model(),         measurement_equation_model(),
         calibration_curve_model(),    group_observations_model(),  distance_meter_model(),
-        robot_poses_model(),          tracker_tests_model()};
+        theodolite_model(),           robot_poses_model(),         tracker_tests_model()};
     return models;
 }
 

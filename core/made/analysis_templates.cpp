@@ -334,6 +334,10 @@ const std::vector<AnalysisTemplate>& analysis_templates() {
         {Topic::points, "Distance meter on a baseline",
          "Zero offset and standard deviation of a distance meter, with the tests of ISO 17123-4.",
          "distance-meter", "zero-offset"},
+        {Topic::points, "Theodolite in rounds",
+         "Standard deviations of directions and zenith angles and the index error, with the tests of ISO "
+         "17123-3.",
+         "theodolite", "rounds"},
         {Topic::robot, "Accuracy and repeatability of a robot",
          "AP and RP of ISO 9283 from measured poses, and whether the maker's figures are met.",
          "robot-performance", "five-poses"},

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/kinds/sheets/distance_meter_setup.h"
+#include "core/kinds/sheets/scatter.h"
 #include "core/text/plot_specification.h"
 #include "core/text/table.h"
 
@@ -23,8 +24,7 @@ struct DistanceMeterFit {
     double zero_offset() const { return unknowns[unknowns.size() - 1]; }
     double u(Eigen::Index unknown) const { return s * std::sqrt(cofactors(unknown, unknown)); }
     double u_zero_offset() const { return u(unknowns.size() - 1); }
-    /// JCGM 100 E.4.3: an s of normal readings has a relative standard deviation of about 1/sqrt(2 nu).
-    double u_s() const { return s / std::sqrt(2.0 * degrees_of_freedom); }
+    double u_s() const { return u_of_deviation(s, degrees_of_freedom); }
 };
 
 /// Empty: the readings do not tell the zero offset from the lengths.

@@ -3,6 +3,7 @@
 
 #include "core/kinds/sheets/distance_meter_fit.h"
 #include "core/kinds/sheets/models.h"
+#include "core/kinds/sheets/scatter.h"
 #include "core/model/equation_model.h"
 
 namespace covaria {
@@ -79,16 +80,8 @@ public:
     }
 
 private:
-    UncertaintyComponent scatter(std::string id, const Unit& unit, double u) const {
-        UncertaintyComponent component;
-        component.id = std::move(id);
-        component.name = tell<"scatter of the distances">();
-        component.unit = unit;
-        component.distribution = Distribution::of(StudentT{0.0, u, fit_.degrees_of_freedom});
-        component.type = EvaluationType::type_a;
-        component.degrees_of_freedom = fit_.degrees_of_freedom;
-        component.origin = tell<"least squares, residuals of %1 distances">(setup_.readings.size());
-        return component;
+    Message origin() const {
+        return tell<"least squares, residuals of %1 distances">(setup_.readings.size());
     }
 
     void add_fit() {
@@ -105,8 +98,9 @@ private:
                 .offset = fit_.unknowns[k],
                 .group = is_zero ? own_name<"instrument">() : own_name<"baseline">()};
             if (fit_.s > 0.0) {
-                const std::size_t component =
-                    inputs_.add(scatter(symbol + ".residuals", Unit::of("mm"), fit_.u(k)));
+                const std::size_t component = inputs_.add(sheets::residual_component(
+                    symbol + ".residuals", Unit::of("mm"), fit_.u(k), fit_.degrees_of_freedom,
+                    tell<"scatter of the distances">(), origin()));
                 quantity.shares.push_back({component, 1.0});
                 estimate.components.push_back(component);
             }
@@ -128,13 +122,9 @@ private:
                                .offset = fit_.s,
                                .group = own_name<"instrument">()};
         std::vector<UncertaintyComponent> own;
-        if (fit_.s > 0.0) {
-            UncertaintyComponent component = scatter("s.residuals", Unit::of("mm"), fit_.u_s());
-            component.name = tell<"few degrees of freedom of s">();
-            component.distribution = Distribution::normal(fit_.u_s());
-            component.degrees_of_freedom = infinity;
-            own.push_back(std::move(component));
-        }
+        if (fit_.s > 0.0)
+            own.push_back(sheets::deviation_component("s.residuals", Unit::of("mm"), fit_.s,
+                                                      fit_.degrees_of_freedom, origin()));
         inputs_.add(std::move(quantity), std::move(own));
     }
 

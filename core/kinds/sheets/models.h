@@ -7,5 +7,6 @@
 namespace covaria {
 
 ModelDescriptor distance_meter_model();
+ModelDescriptor theodolite_model();
 
 }  // namespace covaria

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "core/kinds/sheets/scatter.h"
+
 namespace covaria::sheets {
 
 namespace {
@@ -27,15 +29,8 @@ private:
     static std::string number_of(std::size_t k) { return std::to_string(k + 1); }
 
     UncertaintyComponent scatter(std::string id, Message name, double u, int cycles) const {
-        UncertaintyComponent component;
-        component.id = std::move(id);
-        component.name = std::move(name);
-        component.unit = Unit::of("mm");
-        component.distribution = Distribution::of(StudentT{0.0, u, double(cycles - 1)});
-        component.type = EvaluationType::type_a;
-        component.degrees_of_freedom = double(cycles - 1);
-        component.origin = tell<"%1 cycles">(cycles);
-        return component;
+        return residual_component(std::move(id), Unit::of("mm"), u, double(cycles - 1), std::move(name),
+                                  tell<"%1 cycles">(cycles));
     }
 
     /// A figure of scatter times what few cycles leave open of it: a distribution of its own.
