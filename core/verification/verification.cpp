@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
+#include "core/propagation/requirements.h"
 #include "core/views/result_columns.h"
 
 namespace covaria {
@@ -18,6 +20,7 @@ struct Subject {
     const OutputResult& output;
     std::size_t index;
     std::size_t other;
+    RequirementResult verdict = {};  ///< by the requirement of the check
 };
 
 enum class Conversion { value, interval, number };
@@ -62,7 +65,9 @@ std::map<std::string, Figure> all_figures() {
     const auto region = [](auto factor) {
         return [factor](const Subject& s) { return factor(region_of(s)); };
     };
+    const auto verdict = [](auto figure) { return [figure](const Subject& s) { return figure(s.verdict); }; };
     using R = const CoverageRegion&;
+    using V = const RequirementResult&;
     return {
         {"estimate", {value, false, column("estimate first order")}},
         {"u", {interval, false, column("u first order")}},
@@ -91,6 +96,19 @@ std::map<std::string, Figure> all_figures() {
          {number, true, region([](R r) { return r.ellipsoid_monte_carlo.value_or(std::nan("")); })}},
         {"mc-rectangle",
          {number, true, region([](R r) { return r.rectangle_monte_carlo.value_or(std::nan("")); })}},
+        {"conformance", {number, false, verdict([](V v) { return v.conformance; })}},
+        {"guard-band", {interval, false, verdict([](V v) { return v.guard_band; })}},
+        {"accepted", {number, false, verdict([](V v) {
+                          return v.decision == RequirementResult::Decision::accept ? 1.0 : 0.0;
+                      })}},
+        {"capability-index",
+         {number, false, verdict([](V v) { return v.capability_index.value_or(std::nan("")); })}},
+        {"consumer-risk", {number, false, verdict([](V v) {
+                               return v.global_risks ? v.global_risks->consumer : std::nan("");
+                           })}},
+        {"producer-risk", {number, false, verdict([](V v) {
+                               return v.global_risks ? v.global_risks->producer : std::nan("");
+                           })}},
         // The figures of the result line, of whichever method.
         {"result-estimate", {value, true, column("estimate")}},
         {"result-u", {interval, true, column("u")}},
@@ -125,6 +143,9 @@ std::size_t find_output(const UncertaintyResult& result, const std::string& symb
 }
 
 double tolerance_of(const VerificationCheck& check, const Figure& figure, double trials) {
+    if (check.condition > 0.0)
+        return 10.0 * check.condition * std::numeric_limits<double>::epsilon() *
+               (check.scale > 0.0 ? check.scale : std::abs(check.reference.value_or(0.0)));
     const double stated = std::max(check.absolute, check.relative * std::abs(check.reference.value_or(0.0)));
     if (!figure.by_monte_carlo) return stated;
     return std::max(stated,
@@ -145,6 +166,7 @@ CheckedFigure judged(const VerificationCheck& check, double value, double tolera
     made.agrees_with_reference = !check.reference || agree(*check.reference, tolerance);
     made.reproduces_published =
         !check.published || agree(*check.published, check.half_digit * (1 + 1e-9) + scatter);
+    made.differs_from_naive = !check.naive || !agree(check.naive->value, tolerance + check.half_digit);
     if (std::isnan(value)) made.agrees_with_reference = made.reproduces_published = false;
     return made;
 }
@@ -162,6 +184,18 @@ std::optional<double> number_in(const EvaluatedAnalysis& evaluated, const Verifi
     for (const Table& table : evaluated.analysis->model->evaluation())
         if (table.id == cell.table) return number_in(table, cell);
     return std::nullopt;
+}
+
+RequirementResult verdict_of(const VerificationCheck& check, const UncertaintyResult& result,
+                             std::size_t index) {
+    if (!check.requirement) return {};
+    OutputRequirement requirement = *check.requirement;
+    requirement.output = index;
+    for (auto* limit : {&requirement.lower_limit, &requirement.upper_limit, &requirement.prior_mean})
+        if (*limit) **limit = check.unit.to_si(**limit);
+    if (auto& deviation = requirement.prior_standard_deviation)
+        deviation = check.unit.interval_to_si(*deviation);
+    return judge(result, requirement);
 }
 
 Result<CheckedFigure> checked(const VerificationCheck& check, const std::vector<EvaluatedAnalysis>& results) {
@@ -182,7 +216,7 @@ Result<CheckedFigure> checked(const VerificationCheck& check, const std::vector<
     const std::size_t other = check.with.empty() ? index : find_output(result, check.with, check.group);
     if (index >= result.outputs.size() || other >= result.outputs.size())
         return refused("there is no result \"" + check.output + " " + check.with + "\"");
-    const Subject subject{result, result.outputs[index], index, other};
+    const Subject subject{result, result.outputs[index], index, other, verdict_of(check, result, index)};
     const bool of_region = check.figure == "mc-ellipsoid" || check.figure == "mc-rectangle";
     const auto trials = static_cast<double>(of_region ? region_of(subject).trials : result.trials);
     return judged(check, converted(check.unit, figure->second.conversion, figure->second.take(subject)),
@@ -204,7 +238,13 @@ const std::vector<std::string>& monte_carlo_line() {
 }
 
 bool CheckedCase::passed() const {
-    return std::all_of(figures.begin(), figures.end(), [](const CheckedFigure& f) { return f.passed(); });
+    return not_evaluated.empty() &&
+           std::all_of(figures.begin(), figures.end(), [](const CheckedFigure& f) { return f.passed(); });
+}
+
+bool needs_trials(const VerificationCheck& check) {
+    return check.figure.starts_with("mc-") || check.figure.starts_with("result-") ||
+           check.figure == "validated";
 }
 
 Result<CheckedCase> check_case(const VerificationCase& verification,
@@ -213,9 +253,18 @@ Result<CheckedCase> check_case(const VerificationCase& verification,
     for (const VerificationCheck& check : verification.checks) {
         auto one = checked(check, results);
         if (!one) return fail(one.error());
+        one->model = find(results, check.analysis)->analysis->descriptor->id;
         made.figures.push_back(std::move(*one));
     }
     return made;
+}
+
+std::string pass_rule(const CheckedFigure& figure) {
+    const VerificationCheck& check = figure.check;
+    if (check.condition > 0.0) return "10 κ ε";
+    if (check.scatter > 0.0 || check.standard_error > 0.0) return "4 standard errors";
+    if (check.reference && figure.tolerance > 0.0) return "digits of the reference";
+    return check.published ? "printed digits" : "equal";
 }
 
 }  // namespace covaria

@@ -19,11 +19,15 @@ OrderedJson figure_json(const CheckedFigure& f) {
             {"published", figure_number(f.check.published)},
             {"reference", figure_number(f.check.reference)},
             {"value", figure_number(f.value)},
+            {"condition", f.check.condition > 0.0 ? json_number(f.check.condition) : OrderedJson(nullptr)},
+            {"passRule", pass_rule(f)},
             {"allowedDeviation", json_number(f.tolerance)},
             {"passed", f.passed()},
             {"agreesWithReference", f.agrees_with_reference},
             {"reproducesPublished", f.reproduces_published},
-            {"because", f.check.because}};
+            {"because", f.check.because},
+            {"naive", f.check.naive ? json_number(f.check.naive->value) : OrderedJson(nullptr)},
+            {"naiveHow", f.check.naive ? f.check.naive->how : ""}};
 }
 
 }  // namespace
@@ -32,10 +36,9 @@ std::string verification_json(const std::vector<CheckedCase>& cases) {
     std::size_t figures = 0, passed = 0;
     OrderedJson list = OrderedJson::array();
     for (const CheckedCase& c : cases) {
-        OrderedJson of_case{{"title", c.of.title},
-                            {"source", c.of.source},
-                            {"project", c.of.project},
-                            {"figures", OrderedJson::array()}};
+        OrderedJson of_case{
+            {"title", c.of.title},     {"source", c.of.source},           {"project", c.of.project},
+            {"clauses", c.of.clauses}, {"notEvaluated", c.not_evaluated}, {"figures", OrderedJson::array()}};
         for (const CheckedFigure& f : c.figures) {
             of_case["figures"].push_back(figure_json(f));
             ++figures;

@@ -18,9 +18,10 @@ namespace {
 std::string figure_text(double value, double resolution) {
     if (!std::isfinite(value)) return std::isnan(value) ? "none" : "infinite";
     const double magnitude = std::max(std::abs(value), 1e-300);
+    constexpr int most_digits = 16;  // of what is compared to the last digits of a double
     int digits = 9;
     if (resolution > 0.0) digits = static_cast<int>(std::ceil(std::log10(magnitude / resolution))) + 1;
-    return format_short(value, std::clamp(digits, 2, 9));
+    return format_short(value, std::clamp(digits, 2, most_digits));
 }
 
 std::string published_text(const VerificationCheck& check) {
@@ -40,8 +41,12 @@ std::string value_text(const CheckedFigure& f) {
 
 std::string status_text(const CheckedFigure& f) {
     if (!f.passed())
-        return f.agrees_with_reference ? "FAILS: differs from the published value"
-                                       : "FAILS: differs from the reference";
+        return !f.agrees_with_reference  ? "FAILS: differs from the reference"
+               : !f.reproduces_published ? "FAILS: differs from the published value"
+                                         : "FAILS: is the figure of an evaluation that " + f.check.naive->how;
+    if (f.check.naive)
+        return "agrees; " + figure_text(f.check.naive->value, 0.0) + " is what one gives that " +
+               f.check.naive->how;
     if (!f.check.published) return "agrees";
     return f.reproduces_published ? "reproduces" : "differs, because " + f.check.because;
 }
@@ -58,19 +63,25 @@ std::string summary(const std::vector<CheckedCase>& cases) {
            std::to_string(cases.size()) + " cases are as they should be.";
 }
 
-TableBlock table_of(const CheckedCase& c) {
+}  // namespace
+
+TableBlock verification_table(const CheckedCase& c) {
     report_parts::TableBuilder table("verification-" + result_words::id_part(c.of.title),
                                      c.of.title + " (" + c.of.source + ")");
-    for (const char* head :
-         {"Figure", "Unit", "Published", "Reference", "Covaria", "Allowed deviation", "Status"})
+    for (const char* head : {"Figure", "Unit", "Published", "Reference", "Covaria", "κ", "Pass rule",
+                             "Allowed deviation", "Status"})
         table.text(head);
     for (const CheckedFigure& f : c.figures)
         table.row({f.check.what, unit_of(f.check), published_text(f.check), reference_text(f), value_text(f),
-                   f.tolerance > 0.0 ? figure_text(f.tolerance, f.tolerance) : std::string(),
+                   f.check.condition > 0.0 ? figure_text(f.check.condition, 0.1 * f.check.condition)
+                                           : std::string(),
+                   pass_rule(f), f.tolerance > 0.0 ? figure_text(f.tolerance, f.tolerance) : std::string(),
                    status_text(f)});
     table.note("Project: " + c.of.project + ".");
     return table.take();
 }
+
+namespace {
 
 /// Length in characters of UTF-8 text.
 std::size_t characters(const std::string& text) {
@@ -99,7 +110,7 @@ ReportDocument verification_report(const std::vector<CheckedCase>& cases) {
                        "reproduced within half of their last printed digit; reference values were computed "
                        "independently of Covaria, "
                        "and Monte Carlo results may deviate from them by four combined standard errors."});
-    for (const CheckedCase& c : cases) document.blocks.push_back(table_of(c));
+    for (const CheckedCase& c : cases) document.blocks.push_back(verification_table(c));
     return document;
 }
 
@@ -109,6 +120,7 @@ std::string verification_text(const std::vector<CheckedCase>& cases) {
         text += "\n" + c.of.title + " (" + c.of.source + "), " + c.of.project + "\n";
         text += padded("  figure", 54, false) + padded("published", 17, true) +
                 padded("reference", 17, true) + padded("Covaria", 17, true) + "  status\n";
+        if (!c.not_evaluated.empty()) text += "  FAILS: " + c.not_evaluated + "\n";
         for (const CheckedFigure& f : c.figures) {
             const std::string unit = unit_of(f.check);
             text += padded("  " + f.check.what + (unit.empty() ? "" : " in " + unit), 54, false) +
