@@ -10,6 +10,8 @@ inline const Phrase fields_of_set_up{"Fields of the set-up"};
 inline const Phrase equations{"Equations as evaluated"};
 inline const Phrase notes{"Notes"};
 inline const Phrase references{"References"};
+inline const Phrase covered{"Sources of error that are covered"};
+inline const Phrase not_covered{"Not covered"};
 inline const Phrase options{"Options of the evaluation"};
 inline const Phrase certificate{"Certificate"};
 inline const Phrase about_certificate{

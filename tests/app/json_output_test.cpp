@@ -110,7 +110,7 @@ TEST(JsonOutput, VerificationHasEveryFigure) {
             passed += figure.at("passed").get<bool>();
             EXPECT_FALSE(figure.at("value").is_null()) << figure;
         }
-    EXPECT_GT(figures, 1000u);
+    EXPECT_GT(figures, 5000u);
     EXPECT_EQ(all.at("figures"), figures);
     EXPECT_EQ(all.at("passed"), passed);
 }

@@ -70,9 +70,16 @@ def fitted(kind, start, points):
     p = centre + [mp.mpf(begin[name]) for name in form.names]
     total = lambda q: sum((form.gradient(q, point) for point in x), mp.zeros(len(p), 1))
     inverse_slopes = lambda: mp.matrix([list(central(total, p, i)) for i in range(len(p))]).T ** -1
-    inverse = inverse_slopes()
-    for _ in range(3):
-        p = minus(p, inverse * total(p))
+    for _ in range(4):  # the slopes of where it begins, then those of where it came to
+        inverse = inverse_slopes()
+        for _ in range(6):
+            step = inverse * total(p)
+            p = minus(p, step)
+            if mp.norm(step) < mp.mpf(10) ** -36:
+                break
+        else:
+            continue
+        break
     inverse = inverse_slopes()
     found = p
     for point, at in zip(points, x):

@@ -108,8 +108,9 @@ def null_space(values, index, datum, readings, fixed):
     """What no reading tells and no fixed coordinate holds, restricted to the datum: shifts, and the turn about the vertical."""
     if not datum:
         return []
+    heights = all(row["kind"] == "height-difference" for row in readings)
     if any(row["kind"] in ("x", "y", "z", "azimuth", "dx", "dy") for row in readings) or \
-            not any(row["kind"].endswith("distance") for row in readings):
+            not any(row["kind"].endswith("distance") or heights for row in readings):
         raise NotImplementedError("a free network with coordinates, azimuths or no scale")
     held = [point for point in fixed if point["plane"] == "fixed"]
     shifts = ("" if held else "xy") + ("" if any(point["height"] == "fixed" for point in fixed) else "z")
