@@ -57,6 +57,26 @@ void take_over(const GamaParameters& parameters, double least_u_of_angle, Setup&
                  "seen, one factor s_0">());
 }
 
+/// Numbers of the directions of face two. A file does not say the face; the first direction of a sight in its
+/// cluster is in that of the sight's first zenith angle there, the second in that of the second, and so on.
+std::set<std::size_t> directions_of_face_two(const std::vector<const GamaObserved*>& all) {
+    constexpr double half_turn = 200.0;  // gon
+    using Sight = std::array<std::string, 3>;
+    std::map<Sight, std::vector<bool>> faces;
+    for (const GamaObserved* o : all)
+        if (o->kind == "zenith-angle") faces[{o->from, o->to, o->round}].push_back(o->value > half_turn);
+    std::map<Sight, std::size_t> counts;
+    std::set<std::size_t> found;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (all[i]->kind != "direction") continue;
+        const Sight sight{all[i]->from, all[i]->to, all[i]->round};
+        const std::size_t k = counts[sight]++;
+        if (const auto of = faces.find(sight); of != faces.end() && k < of->second.size() && of->second[k])
+            found.insert(i);
+    }
+    return found;
+}
+
 }  // namespace
 
 void GamaNetwork::take_axes(const pugi::xml_node& network) {
@@ -174,7 +194,14 @@ SetupTable GamaNetwork::readings_table() const {
     for (const char* column : {"angle", "u_angle"}) rows.set_unit(column, gon);
     const auto text = [](const std::string& words) { return words.empty() ? SetupCell() : SetupCell(words); };
     const auto height = [](double h) { return h == 0.0 ? SetupCell() : SetupCell(h); };
-    for (const Row& row : rows_) {
+    std::vector<const GamaObserved*> all;
+    for (const Row& row : rows_) all.push_back(&row.observed);
+    const std::set<std::size_t> face_two = directions_of_face_two(all);
+    if (!face_two.empty())
+        proposals_.found.push_back(
+            tell<"%1 directions are of face two, as the zenith angles of their sights say">(face_two.size()));
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+        const Row& row = rows_[i];
         const GamaObserved& o = row.observed;
         const bool single = o.kind == "x" || o.kind == "y" || o.kind == "z", angle = o.is_angle;
         double value = o.value;
@@ -188,7 +215,8 @@ SetupTable GamaNetwork::readings_table() const {
                   {angle ? "angle" : "length", value},
                   {angle ? "u_angle" : "u_length", angle ? *o.u : 1e3 * *o.u},
                   {"height_from", height(o.height_from)},
-                  {"height_to", height(o.height_to)}});
+                  {"height_to", height(o.height_to)},
+                  {"face", face_two.contains(i) ? SetupCell("two") : SetupCell()}});
     }
     return rows.table();
 }

@@ -1,23 +1,18 @@
 // Contradictions of readings before anything is adjusted: readings that were repeated, distances there and
-// back, rounds of one station, loops of height differences and of coordinate differences.
+// back, rounds of one station, loops of height differences and of coordinate differences; those of faces,
+// double targets and distances have files of their own.
 #include <algorithm>
 #include <cmath>
 #include <deque>
 #include <map>
 #include <numbers>
 
-#include "core/kinds/network/adjusted_closures.h"
+#include "core/kinds/network/closure_sums.h"
 #include "core/text/numbers.h"
 
 namespace covaria::network {
 
 namespace {
-
-/// A reading with its sign in a sum of readings that would be 0 without deviations.
-struct SignedReading {
-    std::size_t reading = 0;
-    double sign = 1.0;
-};
 
 /// The difference between the points of a reading, above which instrument and target may stand where it is
 /// one of heights.
@@ -28,46 +23,21 @@ double difference_of(const AdjustedReading& r) {
 
 class ClosureSearch {
 public:
-    explicit ClosureSearch(const AdjustedNetwork& network) : network_(network) {
-        for (const ReadingCorrelation& c : network.correlations)
-            correlations_[std::minmax(c.first, c.second)] = c.coefficient;
-    }
+    explicit ClosureSearch(ClosureSums& sums) : network_(sums.network), sums_(sums) {}
 
-    std::vector<Closure> find() {
+    void find() {
         compare_repeated();
         compare_rounds();
         for (const auto& kinds : {std::vector{ReadingKind::height_difference, ReadingKind::dz},
                                   std::vector{ReadingKind::dx}, std::vector{ReadingKind::dy}})
             close_loops(kinds);
-        std::ranges::stable_sort(found_,
-                                 [](const Closure& a, const Closure& b) { return a.ratio() > b.ratio(); });
-        return std::move(found_);
     }
 
 private:
-    void add(Message words, const std::vector<SignedReading>& readings, double misclosure) {
-        double u2 = 0.0;
-        for (std::size_t i = 0; i < readings.size(); ++i)
-            for (std::size_t j = 0; j < readings.size(); ++j)
-                u2 += readings[i].sign * readings[j].sign *
-                      correlation(readings[i].reading, readings[j].reading) *
-                      network_.readings[readings[i].reading].u * network_.readings[readings[j].reading].u;
-        if (!(u2 > 0.0)) return;
-        const AdjustedReading& last = network_.readings[readings.back().reading];
-        found_.push_back(
-            {std::move(words), misclosure, std::sqrt(u2), unit_of_residual(last.kind), last.source});
-    }
-
-    double correlation(std::size_t a, std::size_t b) const {
-        if (a == b) return 1.0;
-        const auto found = correlations_.find(std::minmax(a, b));
-        return found == correlations_.end() ? 0.0 : found->second;
-    }
-
     /// Compares readings that were made again, or from the other end, each with the first.
     void compare_repeated() {
         using Key =
-            std::tuple<ReadingKind, std::size_t, std::size_t, std::size_t, std::size_t, double, double>;
+            std::tuple<ReadingKind, std::size_t, std::size_t, std::size_t, std::size_t, double, double, bool>;
         std::map<Key, std::size_t> first;
         for (std::size_t i = 0; i < network_.readings.size(); ++i) {
             const AdjustedReading& r = network_.readings[i];
@@ -83,34 +53,47 @@ private:
                           distance ? 0 : r.second,
                           r.round,
                           back ? r.height_to : r.height_from,
-                          back ? r.height_from : r.height_to};
+                          back ? r.height_from : r.height_to,
+                          r.face_two};
             const auto [known, added] = first.try_emplace(key, i);
             if (added) continue;
             const AdjustedReading& before = network_.readings[known->second];
             const double d = r.value - before.value;
             const Message words = words_of(network_, r);
-            add(back != (before.from > before.to) ? tell<"%1, there and back">(words)
-                                                  : tell<"%1, again">(words),
-                {{known->second, -1.0}, {i, 1.0}},
-                is_of_angle(r.kind) ? std::remainder(d, 2.0 * std::numbers::pi) : d);
+            sums_.add(is_of_other_face(r, d)              ? tell<"%1, again, half a turn off (say that it is "
+                                                                 "of face two)">(words)
+                      : back != (before.from > before.to) ? tell<"%1, there and back">(words)
+                                                          : tell<"%1, again">(words),
+                      {{known->second, -1.0}, {i, 1.0}},
+                      is_of_angle(r.kind) ? std::remainder(d, 2.0 * std::numbers::pi) : d);
         }
     }
+
+    /// Whether a direction differs from one before by half a turn, as those of the two faces do.
+    static bool is_of_other_face(const AdjustedReading& r, double difference) {
+        constexpr double about = 0.02;  // rad
+        return r.kind == ReadingKind::direction &&
+               std::abs(std::remainder(difference - std::numbers::pi, 2.0 * std::numbers::pi)) < about;
+    }
+
+    /// The directions of a round, by target and face.
+    using DirectionsOfRound = std::map<std::pair<std::size_t, bool>, std::size_t>;
 
     /// Compares rounds of a station by the angles from the first target that two of them have in common, to
     /// each of the others.
     void compare_rounds() {
-        std::map<std::size_t, std::vector<std::map<std::size_t, std::size_t>>> stations;
-        std::vector<std::map<std::size_t, std::size_t>> rounds(network_.rounds.size());
+        std::map<std::size_t, std::vector<DirectionsOfRound>> stations;
+        std::vector<DirectionsOfRound> rounds(network_.rounds.size());
         for (std::size_t i = 0; i < network_.readings.size(); ++i)
             if (const AdjustedReading& r = network_.readings[i]; r.kind == ReadingKind::direction)
-                rounds[r.round].try_emplace(r.to, i);
+                rounds[r.round].try_emplace({r.to, r.face_two}, i);
         for (std::size_t k = 0; k < rounds.size(); ++k)
             stations[network_.rounds[k].station].push_back(std::move(rounds[k]));
         for (const auto& [station, own] : stations)
             for (std::size_t k = 1; k < own.size(); ++k) compare(own[0], own[k]);
     }
 
-    void compare(const std::map<std::size_t, std::size_t>& a, const std::map<std::size_t, std::size_t>& b) {
+    void compare(const DirectionsOfRound& a, const DirectionsOfRound& b) {
         const std::size_t none = network_.readings.size();
         std::size_t first_a = none, first_b = none;
         for (const auto& [target, i] : a) {
@@ -125,10 +108,11 @@ private:
             const AdjustedReading& r = network_.readings[k];
             const std::string &station = network_.points[r.from].name,
                               &from = network_.points[network_.readings[first_a].to].name;
-            add(tell<"angle at %1 from %2 to %3, in two rounds">(station, from, network_.points[target].name),
-                {{first_a, 1.0}, {i, -1.0}, {first_b, -1.0}, {k, 1.0}},
-                std::remainder(value(k) - value(first_b) - value(i) + value(first_a),
-                               2.0 * std::numbers::pi));
+            sums_.add(tell<"angle at %1 from %2 to %3, in two rounds">(station, from,
+                                                                       network_.points[target.first].name),
+                      {{first_a, 1.0}, {i, -1.0}, {first_b, -1.0}, {k, 1.0}},
+                      std::remainder(value(k) - value(first_b) - value(i) + value(first_a),
+                                     2.0 * std::numbers::pi));
         }
     }
 
@@ -187,7 +171,7 @@ private:
         std::vector<std::size_t> points{r.from};
         points.insert(points.end(), forth.begin(), forth.end());
         points.insert(points.end(), back.rbegin() + 1, back.rend());
-        add(loop_words(r.kind, points), signs, sum);
+        sums_.add(loop_words(r.kind, points), signs, sum);
     }
 
     Message loop_words(ReadingKind kind, const std::vector<std::size_t>& points) const {
@@ -207,9 +191,17 @@ private:
     }
 
     const AdjustedNetwork& network_;
-    std::map<std::pair<std::size_t, std::size_t>, double> correlations_;
-    std::vector<Closure> found_;
+    ClosureSums& sums_;
 };
+
+/// The rows as people count them: "3, 4, 17".
+std::string rows_text(const Closure& closure) {
+    constexpr std::size_t most_named = 12;
+    std::string text;
+    for (std::size_t i = 0; i < std::min(most_named, closure.rows.size()); ++i)
+        text += (i > 0 ? ", " : "") + std::to_string(closure.rows[i] + 1);
+    return closure.rows.size() > most_named ? text + ", …" : text;
+}
 
 }  // namespace
 
@@ -218,21 +210,27 @@ double Closure::ratio() const {
 }
 
 std::vector<Closure> closures(const AdjustedNetwork& network) {
-    return ClosureSearch(network).find();
+    ClosureSums sums(network);
+    ClosureSearch(sums).find();
+    compare_faces(sums);
+    compare_double_targets(sums);
+    close_distances(sums);
+    return sums.take();
 }
 
 void check_closures(const AdjustedNetwork& network, Problems& problems) {
-    constexpr std::size_t most_said = 5;
+    constexpr std::size_t most_said = 3;
     std::size_t count = 0;
     for (const Closure& closure : closures(network)) {
         if (!(closure.ratio() > adjustment::outlier_limit())) break;
         if (++count > most_said) continue;
         problems.warning(
             closure.source,
-            tell<"before the adjustment: %1 closes with %2 %3, %4 times its u">(
+            tell<"before the adjustment: %1 closes with %2 %3, %4 times its u (rows %5 of the readings)">(
                 closure.words,
                 Message::number(format_significant(closure.unit.from_si(closure.misclosure), 3)),
-                closure.unit.display(), Message::number(format_significant(closure.ratio(), 2))));
+                closure.unit.display(), Message::number(format_significant(closure.ratio(), 2)),
+                rows_text(closure)));
     }
     if (count > most_said)
         problems.warning(adjustment_fields().place(&StatedAdjustment::readings),
@@ -245,6 +243,7 @@ Table closures_table(const std::vector<Closure>& closures) {
     table.add(known_text<"misclosure">()).figure(3);
     table.add(known_text<"u of the misclosure">()).figure(2);
     table.add(known_text<"misclosure over u">()).figure(3);
+    table.add(known_text<"rows of the readings">());
     table.add(known_text<"remark">());
     std::size_t beyond = 0;
     for (const Closure& closure : closures) {
@@ -252,7 +251,7 @@ Table closures_table(const std::vector<Closure>& closures) {
         beyond += far;
         table.row({closure.words, Quantity{closure.unit.from_si(closure.misclosure), closure.unit},
                    Quantity{closure.unit.from_si(closure.u), closure.unit}, closure.ratio(),
-                   far ? tell<"too large?">() : Message()});
+                   rows_text(closure), far ? tell<"too large?">() : Message()});
     }
     if (beyond > 0) table.notes.push_back(tell<"%1 closures are beyond 3.29 times their u (0.1 %).">(beyond));
     return table;

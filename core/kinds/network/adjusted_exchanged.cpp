@@ -35,12 +35,15 @@ void say_exchanged(const AdjustedNetwork& network, std::size_t station, const Si
         for (std::size_t b = a + 1; b < wrong.size(); ++b)
             if (misfit(network, sights.at(wrong[a]), wrong[b]) < limit &&
                 misfit(network, sights.at(wrong[b]), wrong[a]) < limit)
-                said.push_back(tell<"the readings from %1 agree if the names %2 and %3 are exchanged there">(
-                    network.points[station].name, network.points[wrong[a]].name,
-                    network.points[wrong[b]].name));
+                said.push_back(words_of_exchange(network, station, wrong[a], wrong[b]));
 }
 
 }  // namespace
+
+Message words_of_exchange(const AdjustedNetwork& network, std::size_t station, std::size_t a, std::size_t b) {
+    return tell<"the readings from %1 agree if the names %2 and %3 are exchanged there">(
+        network.points[station].name, network.points[a].name, network.points[b].name);
+}
 
 std::vector<Message> exchanged_names(const AdjustedNetwork& adjusted) {
     constexpr std::size_t most_readings = 1000, most_wrong = 100;

@@ -162,10 +162,16 @@ private:
         adjust_from_start(*made, stated_.robust, own);
         if (own.has_errors()) {
             again_ = take_back() || leave_undetermined(begun, *made) || leave_gross(begun);
+            if (!again_ && !made->unsolved) propose_mistakes(*made);
             return {};
         }
         again_ = (is_gross(*made, stated_.gross_limit) && leave_gross(begun)) || leave_outliers(begun, *made);
         return made;
+    }
+
+    void propose_mistakes(const AdjustedNetwork& network) {
+        for (Message& words : likely_mistakes(network))
+            problems_.warning(adjustment_fields().place(&StatedAdjustment::readings), std::move(words));
     }
 
     void leave_point(const AdjustedNetwork& network, std::size_t p, bool plane) {

@@ -22,6 +22,11 @@ double figure_of(const AdjustedNetwork& network, const AdjustedReading& reading,
     return place == AdjustedNetwork::known ? otherwise : state[place];
 }
 
+/// The sign of index and collimation in the reading.
+double sign_of_face(const AdjustedReading& reading) {
+    return reading.face_two ? -1.0 : 1.0;
+}
+
 /// The fall of a zenith angle's line of sight below the plane for each m² of distance, 1/m: half the
 /// curvature of the Earth less that of the ray.
 double fall(const AdjustedNetwork& network, const AdjustedReading& reading, const double* state) {
@@ -104,7 +109,7 @@ void add_leg(const AdjustedNetwork& network, const AdjustedReading& reading, std
     Eigen::Vector3d g = sign * gradient(network, reading.kind, v);
     if (reading.kind == ReadingKind::direction) {
         const double rho = v.head<2>().norm(), d = v.norm();
-        g += figure_of(network, reading, FigureKind::collimation, state) *
+        g += sign_of_face(reading) * figure_of(network, reading, FigureKind::collimation, state) *
              (v / (d * rho) - d / (rho * rho * rho) * Eigen::Vector3d(v.x(), v.y(), 0.0));
     }
     if (reading.tilt != AdjustedReading::no_tilt) {
@@ -145,8 +150,10 @@ void add_figures(const AdjustedNetwork& network, const AdjustedReading& reading,
     for (const std::size_t f : reading.figures) {
         switch (network.figures[f].kind) {
             case FigureKind::zero:
-            case FigureKind::index:
                 terms.push_back({network.figure(f), 1.0});
+                break;
+            case FigureKind::index:
+                terms.push_back({network.figure(f), sign_of_face(reading)});
                 break;
             case FigureKind::scale:
                 terms.push_back({network.figure(f), reading.kind == ReadingKind::slope_distance
@@ -154,7 +161,7 @@ void add_figures(const AdjustedNetwork& network, const AdjustedReading& reading,
                                                         : v.head<2>().norm()});
                 break;
             case FigureKind::collimation:
-                terms.push_back({network.figure(f), v.norm() / v.head<2>().norm()});
+                terms.push_back({network.figure(f), sign_of_face(reading) * v.norm() / v.head<2>().norm()});
                 break;
             case FigureKind::refraction:
                 break;  // refraction belongs to the leg: see `fall`
@@ -250,9 +257,11 @@ double predicted(const AdjustedNetwork& network, const AdjustedReading& reading,
         const FigureKind kind = network.figures[f].kind;
         if (kind == FigureKind::collimation) {
             const Eigen::Vector3d v = seen(network, reading, reading.to, state);
-            value += figure * v.norm() / v.head<2>().norm();
+            value += sign_of_face(reading) * figure * v.norm() / v.head<2>().norm();
         } else if (kind == FigureKind::scale) {
             value += figure * without_fault;
+        } else if (kind == FigureKind::index) {
+            value += sign_of_face(reading) * figure;
         } else if (kind != FigureKind::refraction) {
             value += figure;
         }
@@ -362,9 +371,7 @@ Message words_in_frame(const AdjustedNetwork& network, const AdjustedReading& re
     return tell<"%1 of %2 in %3">(axis, network.points[reading.from].name, frame);
 }
 
-}  // namespace
-
-Message words_of(const AdjustedNetwork& network, const AdjustedReading& reading) {
+Message words_of_kind(const AdjustedNetwork& network, const AdjustedReading& reading) {
     const std::string& from = network.points[reading.from].name;
     const std::string& to = network.points[reading.to].name;
     if (reading.frame != AdjustedReading::no_frame) return words_in_frame(network, reading);
@@ -409,6 +416,13 @@ Message words_of(const AdjustedNetwork& network, const AdjustedReading& reading)
             return tell<"difference of z, %1 – %2">(from, to);
     }
     return {};
+}
+
+}  // namespace
+
+Message words_of(const AdjustedNetwork& network, const AdjustedReading& reading) {
+    const Message words = words_of_kind(network, reading);
+    return reading.face_two ? tell<"%1, face two">(words) : words;
 }
 
 }  // namespace covaria::network

@@ -92,6 +92,11 @@ Columns<Stated::Reading> reading_columns() {
             "Which instrument read it: readings of one kind by one instrument rest on one figure when stated "
             "uncertainties are held against the residuals, and share its figures.",
             {.optional = true})
+        .choice(&Row::face_two, "face", "face",
+                "Of a direction, azimuth or zenith angle: the face in which it was read, as it was read. A "
+                "zenith angle beyond half a turn is of face two anyway. It is brought to face one; index and "
+                "collimation change it the other way.",
+                {{false, "one", "one"}, {true, "two", "two"}}, {.optional = true})
         .choice(&Row::left_out, "use", "use",
                 "A reading that is left out stays in the table, and is told among those left out.",
                 {{false, "used", "used"}, {true, "left-out", "left out"}}, {.optional = true});
@@ -109,7 +114,7 @@ Columns<Stated::Figure> figure_columns() {
                 "What it does to all of its readings alike: its zero is added to distances, by its scale "
                 "(weather correction included) they are longer, refraction bends its lines of sight, its "
                 "index is added to zenith angles, its collimation over the sine of the zenith angle to "
-                "directions.",
+                "directions; in face two both are taken off.",
                 {{FigureKind::zero, "zero", "zero of distances"},
                  {FigureKind::scale, "scale", "scale of distances"},
                  {FigureKind::refraction, "refraction", "refraction coefficient"},

@@ -196,6 +196,38 @@ bool is_left_out(const Typed& stated, const std::string& label) {
                                [&](const Typed::Reading& r) { return r.left_out && r.label == label; });
 }
 
+/// Brings an angle as read in face two to face one: of a zenith angle z it makes 2 pi - z, of a direction or
+/// azimuth a the angle a - pi.
+void bring_to_face_one(const Typed::Reading& typed, AdjustedReading& reading, const Message& words,
+                       Problems& problems) {
+    constexpr double half_turn = std::numbers::pi;
+    if (typed.face_two && (typed.kind == ReadingKind::direction || typed.kind == ReadingKind::azimuth)) {
+        reading.value -= half_turn;
+        reading.face_two = typed.kind == ReadingKind::direction;
+    }
+    if (typed.kind != ReadingKind::zenith_angle) return;
+    reading.face_two = typed.face_two || reading.value > half_turn;
+    if (reading.face_two) reading.value = 2.0 * half_turn - reading.value;
+    if (reading.value > 0.0 && reading.value < half_turn) return;
+    problems.error(
+        reading.source,
+        typed.face_two
+            ? tell<"%1 of face two is not between half a turn and a whole one: type it as read">(words)
+            : tell<"%1 is not between 0 and half a turn (face one), nor between half a turn and a "
+                   "whole one (face two)">(words));
+}
+
+/// The correlation of two readings as typed, whose sign changes where one of them is a zenith angle of face
+/// two: brought to face one its deviation has the opposite sign.
+ReadingCorrelation correlation_of(const AdjustedNetwork& made, std::size_t first, std::size_t second,
+                                  const Typed::Correlation& typed) {
+    double coefficient = typed.coefficient;
+    for (const std::size_t i : {first, second})
+        if (made.readings[i].face_two && made.readings[i].kind == ReadingKind::zenith_angle)
+            coefficient = -coefficient;
+    return {first, second, coefficient};
+}
+
 void tell_left_out(AdjustedNetwork& made, const AdjustedReading& reading, const Message& why) {
     made.left_out.push_back({words_of(made, reading), why.empty() ? tell<"by hand">() : why, reading.source});
 }
@@ -341,9 +373,7 @@ private:
         const bool distance =
             typed.kind == ReadingKind::slope_distance || typed.kind == ReadingKind::horizontal_distance;
         if (distance && !(*value > 0.0)) problems_.error(reading.source, tell<"%1 is not positive">(words));
-        if (typed.kind == ReadingKind::zenith_angle && !(*value > 0.0 && *value < std::numbers::pi))
-            problems_.error(reading.source,
-                            tell<"%1 is not between 0 and half a turn: state the mean of both faces">(words));
+        bring_to_face_one(typed, reading, words, problems_);
     }
 
     std::size_t round_of(std::size_t station, const std::string& name) {
@@ -438,7 +468,7 @@ private:
             if (first->second == second->second)
                 problems_.error(path, tell<"reading %1 with itself">(typed.first));
             else
-                made_.correlations.push_back({first->second, second->second, typed.coefficient});
+                made_.correlations.push_back(correlation_of(made_, first->second, second->second, typed));
         }
     }
 

@@ -97,6 +97,7 @@ struct StatedAdjustment {
         std::string from = {}, to = {}, second = {}, round = {}, frame = {}, instrument = {};
         std::optional<double> length = {}, angle = {}, u_length = {}, u_angle = {};
         double height_from = 0.0, height_to = 0.0;
+        bool face_two = false;  ///< said to be of face two; a zenith angle beyond half a turn is so anyway
         bool left_out = false;
         Message why_left_out = {};  ///< reason, if it is not left out by hand
     };
@@ -160,8 +161,9 @@ struct AdjustedReading {
     std::size_t row = no_round;                ///< row in the table of readings
     std::size_t tilt = no_tilt;                ///< number of the instrument, if it is not levelled
     std::size_t frame = no_frame;              ///< frame in which it is, or whose tilt or scale it is
-    double value = 0.0, u = 0.0;               ///< in SI
+    double value = 0.0, u = 0.0;               ///< in SI; an angle of face two is brought to face one
     double height_from = 0.0, height_to = 0.0;
+    bool face_two = false;                  ///< index and collimation enter with the opposite sign
     std::vector<std::size_t> figures = {};  ///< figures of the instrument that change it
     std::string label = {};
     std::string instrument = {};
@@ -289,6 +291,11 @@ void start_robustly(AdjustedNetwork& network);
 std::optional<AdjustedNetwork> adjust_stated(StatedAdjustment stated, Problems& problems);
 /// Sentences for the names of targets that one station seems to have exchanged.
 std::vector<Message> exchanged_names(const AdjustedNetwork& adjusted);
+/// The sentence for two targets of a station whose names are exchanged.
+Message words_of_exchange(const AdjustedNetwork& network, std::size_t station, std::size_t a, std::size_t b);
+/// Sentences for mistakes without which all readings agree: gon typed as degrees, mm as m, names exchanged at
+/// a station, coordinates exchanged. `network` was begun; whether its search ended does not matter.
+std::vector<Message> likely_mistakes(const AdjustedNetwork& network);
 /// Readings whose errors the test cannot tell from one of this reading, by name; empty where there are none.
 Message alike_words(const AdjustedNetwork& network, std::size_t reading);
 /// The residual of the reading at the state, in m; that of an angle is a displacement at its target.

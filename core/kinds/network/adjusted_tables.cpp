@@ -140,6 +140,7 @@ std::vector<Table> adjustment_tables(const AdjustedNetwork& network) {
     std::vector<Table> tables{figures_table(network, found), readings_table(network, found)};
     if (const auto groups = groups_of(network); !groups.empty()) tables.push_back(groups_table(groups));
     if (const auto closed = closures(network); !closed.empty()) tables.push_back(closures_table(closed));
+    if (auto faces = faces_table(network)) tables.push_back(std::move(*faces));
     if (!network.left_out.empty()) tables.push_back(left_out_table(network));
     return tables;
 }
@@ -150,7 +151,10 @@ void check_adjustment(const AdjustedNetwork& network, Problems& problems) {
     std::size_t worst = 0;
     for (std::size_t i = 0; i < found.readings.size(); ++i)
         if (std::abs(found.readings[i].w) > std::abs(found.readings[worst].w)) worst = i;
-    for (Message& words : exchanged_names(network))
+    constexpr double far_too_large = 3.0;  // s₀, from which a mistake is likely that concerns many readings
+    std::vector<Message> mistakes = exchanged_names(network);
+    if (mistakes.empty() && found.s0 > far_too_large) mistakes = likely_mistakes(network);
+    for (Message& words : mistakes)
         problems.warning(adjustment_fields().place(&StatedAdjustment::readings), std::move(words));
     problems.add(
         {.severity = Severity::warning,

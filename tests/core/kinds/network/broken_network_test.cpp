@@ -53,6 +53,32 @@ std::vector<Broken> undetermined() {
              return net.stated;
          },
          {"do not place 2 points (P, Q)"}},
+        {"one station, and nothing known",
+         [] {
+             TrueNetwork net;
+             for (const auto& [name, x, y, z] :
+                  {std::tuple("S", 0.0, 0.0, 1.6), std::tuple("P", 9.0, 1.0, 0.5),
+                   std::tuple("Q", -3.0, 8.0, 2.0)})
+                 net.point(name, {x, y, z}, unknown, unknown, 0.0);
+             net.read_all({direction, zenith, slope}, "S", {"P", "Q"});
+             return net.stated;
+         },
+         {"where the whole network is along x", "where the whole network is along y",
+          "nothing tells the height of the whole network", "the whole network may turn about the vertical"}},
+        {"an instrument whose zero and scale see one length",
+         [] {
+             StatedAdjustment s = plane(2, {}, {level_distance, direction}).stated;
+             for (StatedAdjustment::Reading& r : s.readings)
+                 if (r.from == "A" && r.to == "B" && r.length) r.instrument = "T";
+             for (const FigureKind kind : {FigureKind::zero, FigureKind::scale}) {
+                 StatedAdjustment::Figure figure;
+                 figure.instrument = "T";
+                 figure.kind = kind;
+                 s.figures.push_back(figure);
+             }
+             return s;
+         },
+         {"the readings cannot tell the zero of T and the scale of T apart"}},
         {"a point that nobody read",
          [] {
              TrueNetwork net = plane(2, {}, {level_distance, direction});
@@ -187,13 +213,29 @@ std::vector<Broken> mistyped() {
              s.correlations = {{"a", "b", 0.9}, {"b", "c", 0.9}, {"a", "c", -0.9}};
          }),
          {"not possible together"}},
-        {"the zenith angle of the second face",
+        {"a zenith angle beyond the circle",
          [] {
              S s = hall(fixed, {}).stated;
-             reading_of(s, zenith, "S", "P").angle = 1.6 * std::numbers::pi;
+             reading_of(s, zenith, "S", "P").angle = 2.1 * std::numbers::pi;
              return s;
          },
-         {"zenith angle S – P is not between 0 and half a turn"}},
+         {"zenith angle S – P is not between 0 and half a turn (face one)"}},
+        {"a zenith angle that is said to be of face two",
+         [] {
+             S s = hall(fixed, {}).stated;
+             reading_of(s, zenith, "S", "P").face_two = true;
+             return s;
+         },
+         {"zenith angle S – P of face two is not between half a turn and a whole one"}},
+        {"a direction of face two that does not say so",
+         [] {
+             S s = hall(fixed, {}).stated;
+             S::Reading again = reading_of(s, direction, "S", "P");
+             *again.angle += std::numbers::pi;
+             s.readings.push_back(again);
+             return s;
+         },
+         {"direction S – P, again, half a turn off (say that it is of face two)"}},
         {"a distance mistyped by a centimetre",
          with([](S& s) { *reading_of(s, level_distance, "C", "D").length += 0.02; }),
          {"larger than the uncertainties allow", "the horizontal distance C – D."}},
@@ -204,7 +246,46 @@ std::vector<Broken> mistyped() {
                  if (r.from == "S" && (r.to == "A" || r.to == "C")) r.to = r.to == "A" ? "C" : "A";
              return s;
          },
-         {"does not converge; look for exchanged or mistyped readings"}},
+         {"the readings from S agree if the names A and C are exchanged there"}},
+        {"exchanged coordinates of two known points",
+         [] {
+             S s = hall(fixed, 0.0).stated;
+             std::swap(s.points[0].p, s.points[2].p);
+             return s;
+         },
+         {"the readings agree if the coordinates of A and C are exchanged"}},
+        {"gon read as degrees",
+         [] {
+             S s = hall(fixed, {}).stated;
+             for (S::Reading& r : s.readings)
+                 if (r.angle) *r.angle *= 400.0 / 360.0;
+             return s;
+         },
+         {"the readings agree if all angles are gon that were typed as degrees"}},
+        {"degrees read as gon at one station",
+         [] {
+             S s = hall(fixed, {}).stated;
+             for (S::Reading& r : s.readings)
+                 if (r.angle && r.from == "T") *r.angle *= 360.0 / 400.0;
+             return s;
+         },
+         {"the readings agree if the angles read from T are degrees that were typed as gon"}},
+        {"mm read as m at one station",
+         [] {
+             S s = hall(fixed, {}).stated;
+             for (S::Reading& r : s.readings)
+                 if (r.length && r.from == "S") *r.length *= 1000.0;
+             return s;
+         },
+         {"the readings agree if the lengths read from S are mm that were typed as m"}},
+        {"m read as mm",
+         [] {
+             S s = plane(2, {}, {level_distance, direction}).stated;
+             for (S::Reading& r : s.readings)
+                 if (r.length) *r.length /= 1000.0;
+             return s;
+         },
+         {"the readings agree if all lengths are m that were typed as mm"}},
         {"a direction to the wrong target",
          with([](S& s) { reading_of(s, direction, "A", "C").to = "D"; }),
          {"larger than the uncertainties allow"}},
@@ -216,7 +297,8 @@ void expect_told(const Broken& broken) {
     const std::string said = made.words();
     for (const char* words : broken.words)
         EXPECT_NE(said.find(words), std::string::npos) << broken.what << ": \"" << words << "\" in\n" << said;
-    EXPECT_LE(made.problems.items().size(), std::max<std::size_t>(4, broken.words.size())) << said;
+    // Three closures, how many more there are, that it does not fit, and why it may be so.
+    EXPECT_LE(made.problems.items().size(), std::max<std::size_t>(6, broken.words.size())) << said;
 }
 
 TEST(BrokenNetwork, WhatNothingTellsIsSaidByName) {
@@ -225,16 +307,6 @@ TEST(BrokenNetwork, WhatNothingTellsIsSaidByName) {
 
 TEST(BrokenNetwork, WhatIsMistypedIsSaidByName) {
     for (const Broken& broken : mistyped()) expect_told(broken);
-}
-
-// Angles in gon that are typed as degrees, distances in mm as metres: it does not fit, or not converge.
-TEST(BrokenNetwork, UnitsThatWereMixedUpAreNotAdjustedInSilence) {
-    StatedAdjustment gon = hall(fixed, {}).stated, mm = gon;
-    for (StatedAdjustment::Reading& r : gon.readings)
-        if (r.angle) *r.angle *= 400.0 / 360.0;
-    for (StatedAdjustment::Reading& r : mm.readings)
-        if (r.length && r.from == "S") *r.length *= 1000.0;
-    for (const StatedAdjustment& stated : {gon, mm}) EXPECT_NE(Adjusted(stated).words(), "");
 }
 
 }  // namespace

@@ -76,6 +76,12 @@ TEST(InstrumentFigures, APriorOfLargeUIsNoneAndOfSmallUIsFixed) {
 // All derivatives, differences of what is predicted, of an instrument that leans too.
 TEST(InstrumentFigures, DerivativesAreThoseOfThePrediction) {
     StatedAdjustment stated = faulty_hall();
+    for (const std::size_t i : {0, 1, 6, 7}) {  // a direction and a zenith angle each
+        StatedAdjustment::Reading& r = stated.readings[i];
+        r.angle = r.kind == ReadingKind::zenith_angle ? 2.0 * std::numbers::pi - *r.angle
+                                                      : *r.angle + std::numbers::pi;
+        r.face_two = true;
+    }
     stated.earth_radius = 2000.0;
     stated.stations = {{.point = "S", .stated = false, .u = {}}};
     for (const FigureKind kind : {FigureKind::zero, FigureKind::scale, FigureKind::refraction,
