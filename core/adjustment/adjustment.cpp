@@ -5,6 +5,8 @@
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <utility>
 
 #include "core/math/decompositions.h"
 
@@ -38,10 +40,110 @@ Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& V) {
     return qr.householderQ() * Eigen::MatrixXd::Identity(V.rows(), V.cols());
 }
 
-SparseColumns lower_of(const SparseColumns& normal, double more) {
-    SparseColumns lower = normal.triangularView<Eigen::Lower>();
-    for (Eigen::Index i = 0; i < lower.cols(); ++i) lower.coeffRef(i, i) += more;
+/// The lower triangle of a normal matrix with `more` on its diagonal, the first element of each column.
+SparseColumns with_ridge(SparseColumns lower, double more) {
+    for (Eigen::Index j = 0; j < lower.cols(); ++j) lower.valuePtr()[lower.outerIndexPtr()[j]] += more;
     return lower;
+}
+
+/// W A, in place where W weighs each reading by itself.
+SparseRows whitened_by(const SparseRows& whitening, SparseRows design) {
+    const Eigen::Index n = whitening.rows();
+    bool alone = whitening.isCompressed() && whitening.nonZeros() == n;
+    for (Eigen::Index i = 0; alone && i < n; ++i)
+        alone = whitening.outerIndexPtr()[i + 1] == i + 1 && whitening.innerIndexPtr()[i] == i;
+    if (!alone) return whitening * design;
+    design.makeCompressed();
+    for (Eigen::Index i = 0; i < n; ++i)
+        for (int k = design.outerIndexPtr()[i]; k < design.outerIndexPtr()[i + 1]; ++k)
+            design.valuePtr()[k] *= whitening.valuePtr()[i];
+    return design;
+}
+
+/// The lower triangle of AᵀA with columns of A over their `scale`; its diagonal is always there.
+SparseColumns lower_normal(const SparseRows& A, const Eigen::VectorXd& scale) {
+    const int n = static_cast<int>(A.cols()), *rows = A.outerIndexPtr(), *columns = A.innerIndexPtr();
+    const double* values = A.valuePtr();
+    struct Place {
+        int element, end;
+    };
+    // The elements of each column, by reading, with the end of their row.
+    std::vector<int> starts(static_cast<std::size_t>(n) + 1, 0);
+    for (Eigen::Index k = 0; k < A.nonZeros(); ++k) ++starts[static_cast<std::size_t>(columns[k]) + 1];
+    for (std::size_t j = 1; j < starts.size(); ++j) starts[j] += starts[j - 1];
+    std::vector<Place> places(static_cast<std::size_t>(A.nonZeros()));
+    std::vector<int> at(starts.begin(), starts.end() - 1);
+    for (Eigen::Index i = 0; i < A.rows(); ++i)
+        for (int k = rows[i]; k < rows[i + 1]; ++k)
+            places[static_cast<std::size_t>(at[static_cast<std::size_t>(columns[k])]++)] = {k, rows[i + 1]};
+    std::vector<double> work(static_cast<std::size_t>(n), 0.0);
+    std::vector<int> seen(static_cast<std::size_t>(n), -1), touched, outer(1, 0), inner;
+    std::vector<double> elements;
+    for (int j = 0; j < n; ++j) {
+        touched.assign(1, j);
+        seen[static_cast<std::size_t>(j)] = j;
+        for (int p = starts[static_cast<std::size_t>(j)]; p < starts[static_cast<std::size_t>(j) + 1]; ++p) {
+            const auto [first, end] = places[static_cast<std::size_t>(p)];
+            const double a = values[first];
+            for (int k = first; k < end; ++k) {
+                const auto c = static_cast<std::size_t>(columns[k]);
+                if (seen[c] != j) {
+                    seen[c] = j;
+                    touched.push_back(columns[k]);
+                }
+                work[c] += a * values[k];
+            }
+        }
+        std::ranges::sort(touched);
+        for (const int i : touched) {
+            inner.push_back(i);
+            elements.push_back(std::exchange(work[static_cast<std::size_t>(i)], 0.0) / (scale[i] * scale[j]));
+        }
+        outer.push_back(static_cast<int>(inner.size()));
+    }
+    return Eigen::Map<const SparseColumns>(n, n, static_cast<Eigen::Index>(inner.size()), outer.data(),
+                                           inner.data(), elements.data());
+}
+
+/// Whether the readings see every direction: no pivot is rounding, and inverse iteration finds no direction
+/// that they do not see.
+bool sees_all(const SparseFactor& factor, const SparseRows& whitened, const Eigen::VectorXd& scale) {
+    constexpr double least_pivot = 1e-9;  // far above rounding, of columns of length one
+    constexpr int rounds = 6;
+    if (!(factor.least_pivot() > least_pivot)) return false;
+    Eigen::VectorXd v = spread_vectors(scale.size(), 1).col(0).normalized(), scratch(scale.size());
+    for (int round = 0; round < rounds; ++round) {
+        factor.solve(v.data(), scratch.data());
+        v.normalize();
+    }
+    return (whitened * v.cwiseQuotient(scale)).norm() >= least_determined;
+}
+
+/// Directions that the readings do not see, by inverse iteration with the factor of a matrix that has a
+/// ridge.
+Eigen::MatrixXd unseen_by(const SparseFactor& ridged, const SparseRows& whitened,
+                          const Eigen::VectorXd& scale) {
+    constexpr int rounds = 6;
+    const Eigen::Index n = scale.size();
+    const Eigen::VectorXd by_scale = scale.cwiseInverse();
+    Eigen::VectorXd scratch(n);
+    // One starting vector first tells whether any direction is open: most networks leave none.
+    for (Eigen::Index count = 1;; count = std::min(n, count == 1 ? 10 : 3 * count)) {
+        Eigen::MatrixXd V = orthonormal(spread_vectors(n, count));
+        for (int round = 0; round < rounds; ++round) {
+            for (Eigen::Index j = 0; j < count; ++j) ridged.solve(V.col(j).data(), scratch.data());
+            V = orthonormal(V);
+        }
+        // The design itself is decomposed, not its square, in which half of the digits would be lost.
+        const Eigen::MatrixXd seen = whitened * (by_scale.asDiagonal() * V);
+        const auto svd = singular_values(Eigen::MatrixXd(seen.transpose() * seen), Eigen::ComputeFullV);
+        const Eigen::MatrixXd turned = V * svd.matrixV(), turned_seen = seen * svd.matrixV();
+        std::vector<Eigen::Index> unseen;
+        for (Eigen::Index j = 0; j < count; ++j)
+            if (turned_seen.col(j).norm() < least_determined) unseen.push_back(j);
+        if (static_cast<Eigen::Index>(unseen.size()) == count && count < n) continue;
+        return turned(Eigen::all, unseen);
+    }
 }
 
 }  // namespace
@@ -72,52 +174,37 @@ SparseRows whitening(const Eigen::VectorXd& u, const std::vector<CovarianceBlock
     return W;
 }
 
-Adjustment::Adjustment(const SparseRows& design, const SparseRows& whitening,
-                       const std::vector<std::size_t>& datum)
-    : whitened_(whitening * design), datum_(datum) {
-    scale_ = Eigen::VectorXd::Zero(design.cols());
+Adjustment::Adjustment(SparseRows design, const SparseRows& whitening, const std::vector<std::size_t>& datum,
+                       const Adjustment* like)
+    : whitened_(whitened_by(whitening, std::move(design))), datum_(datum) {
+    scale_ = Eigen::VectorXd::Zero(whitened_.cols());
     for (Eigen::Index i = 0; i < whitened_.rows(); ++i)
         for (SparseRows::InnerIterator it(whitened_, i); it; ++it)
             scale_[it.col()] += it.value() * it.value();
     scale_ = scale_.cwiseSqrt();
     for (double& s : scale_)
         if (!(s > 0.0)) s = 1.0;
-    const SparseRows scaled = whitened_ * scale_.cwiseInverse().asDiagonal();
-    const SparseColumns normal = SparseColumns(scaled.transpose()) * scaled;
-    find_undetermined(normal);
-    take_to_datum(datum);
-    if (open_.cols() == 0) factorise(normal);
-}
-
-void Adjustment::find_undetermined(const SparseColumns& normal) {
-    const Eigen::Index n = scale_.size();
-    undetermined_.resize(n, 0);
-    if (n == 0) return;
-    // Inverse iteration with a ridge far below what is determined, far above rounding.
-    constexpr double ridge = 1e-11;
-    constexpr int rounds = 6;
-    SparseFactor factor;
-    if (!factor.factorise(lower_of(normal, ridge))) return;
-    const Eigen::VectorXd by_scale = scale_.cwiseInverse();
-    Eigen::VectorXd scratch(n);
-    // One starting vector first tells whether any direction is open: most networks leave none.
-    for (Eigen::Index count = 1;; count = std::min(n, count == 1 ? 10 : 3 * count)) {
-        Eigen::MatrixXd V = orthonormal(spread_vectors(n, count));
-        for (int round = 0; round < rounds; ++round) {
-            for (Eigen::Index j = 0; j < count; ++j) factor.solve(V.col(j).data(), scratch.data());
-            V = orthonormal(V);
-        }
-        // The design itself is decomposed, not its square, in which half of the digits would be lost.
-        const Eigen::MatrixXd seen = whitened_ * (by_scale.asDiagonal() * V);
-        const auto svd = singular_values(Eigen::MatrixXd(seen.transpose() * seen), Eigen::ComputeFullV);
-        const Eigen::MatrixXd turned = V * svd.matrixV(), turned_seen = seen * svd.matrixV();
-        std::vector<Eigen::Index> unseen;
-        for (Eigen::Index j = 0; j < count; ++j)
-            if (turned_seen.col(j).norm() < least_determined) unseen.push_back(j);
-        if (static_cast<Eigen::Index>(unseen.size()) == count && count < n) continue;
-        undetermined_ = turned(Eigen::all, unseen);
+    const SparseColumns normal = lower_normal(whitened_, scale_);
+    open_.resize(scale_.size(), 0);
+    undetermined_.resize(scale_.size(), 0);
+    const SparseFactor* order = like ? like->order() : nullptr;
+    const auto factor = std::make_shared<SparseFactor>();
+    if (scale_.size() > 0 && !(like && like->defect() > 0) && factor->factorise(normal, order) &&
+        sees_all(*factor, whitened_, scale_)) {
+        reduced_.resize(unknowns());
+        std::iota(reduced_.begin(), reduced_.end(), 0);
+        factor_ = factor;
         return;
     }
+    // A ridge far below what is determined, far above rounding.
+    constexpr double ridge = 1e-11;
+    const auto ridged = std::make_shared<SparseFactor>();
+    if (scale_.size() > 0 && ridged->factorise(with_ridge(normal, ridge), order)) {
+        ridged_ = ridged;
+        undetermined_ = unseen_by(*ridged, whitened_, scale_);
+    }
+    take_to_datum(datum);
+    if (open_.cols() == 0) factorise(normal);
 }
 
 void Adjustment::take_to_datum(const std::vector<std::size_t>& datum) {
@@ -165,7 +252,7 @@ void Adjustment::factorise(const SparseColumns& normal) {
         if (!std::binary_search(held.begin(), held.end(), i)) reduced_[i] = count++;
     std::vector<Triplet> elements;
     for (Eigen::Index j = 0; j < normal.cols(); ++j)
-        for (SparseColumns::InnerIterator it(normal, j); it; ++it) {
+        for (SparseColumns::InnerIterator it(normal, j); it; ++it) {  // its lower triangle
             const std::ptrdiff_t a = reduced_[static_cast<std::size_t>(it.row())],
                                  b = reduced_[static_cast<std::size_t>(j)];
             if (a >= b && b >= 0) elements.emplace_back(static_cast<int>(a), static_cast<int>(b), it.value());
@@ -257,6 +344,12 @@ double Adjustment::cofactor(std::size_t i, std::size_t j) const {
 
 double Adjustment::cofactor_of_readings(std::size_t a, std::size_t b) const {
     double sum = 0.0;
+    const auto row = static_cast<Eigen::Index>(a);
+    for (SparseRows::InnerIterator i(whitened_, row); a == b && i; ++i)
+        for (SparseRows::InnerIterator j(whitened_, row); j && j.col() <= i.col(); ++j)
+            sum += (i.col() == j.col() ? 1.0 : 2.0) * i.value() * j.value() *
+                   held_cofactor(static_cast<std::size_t>(i.col()), static_cast<std::size_t>(j.col()));
+    if (a == b) return sum;
     for (SparseRows::InnerIterator i(whitened_, static_cast<Eigen::Index>(a)); i; ++i)
         for (SparseRows::InnerIterator j(whitened_, static_cast<Eigen::Index>(b)); j; ++j)
             sum += i.value() * j.value() *

@@ -31,8 +31,10 @@ SparseRows whitening(const Eigen::VectorXd& u, const std::vector<CovarianceBlock
 /// x_held, B: the datum.
 class Adjustment {
 public:
-    /// `design`: readings x unknowns; `whitening`: as above; `datum`: numbers of unknowns.
-    Adjustment(const SparseRows& design, const SparseRows& whitening, const std::vector<std::size_t>& datum);
+    /// `design`: readings x unknowns; `whitening`: as above; `datum`: numbers of unknowns. `like`: an
+    /// adjustment of the same readings at another place, whose order of elimination is taken.
+    Adjustment(SparseRows design, const SparseRows& whitening, const std::vector<std::size_t>& datum,
+               const Adjustment* like = nullptr);
 
     std::size_t unknowns() const { return static_cast<std::size_t>(scale_.size()); }
     std::size_t readings() const { return static_cast<std::size_t>(whitened_.rows()); }
@@ -67,7 +69,8 @@ public:
     double cofactor_of_readings(std::size_t a, std::size_t b) const;
 
 private:
-    void find_undetermined(const SparseColumns& normal);
+    /// A factor of all unknowns, whose order others take; null where there is none.
+    const SparseFactor* order() const { return ridged_ ? ridged_.get() : factor_.get(); }
     void take_to_datum(const std::vector<std::size_t>& datum);
     void factorise(const SparseColumns& normal);
     /// x := Z x, the changes where the unknowns `held_` do not move.
@@ -79,7 +82,8 @@ private:
     Eigen::VectorXd scale_;
     Eigen::MatrixXd undetermined_, open_;
     std::vector<std::size_t> datum_, held_;
-    std::vector<std::ptrdiff_t> reduced_;  ///< number of each unknown among those not held; -1: held
+    std::vector<std::ptrdiff_t> reduced_;         ///< number of each unknown among those not held; -1: held
+    std::shared_ptr<const SparseFactor> ridged_;  ///< factor with a ridge, where something may be open
     std::shared_ptr<const SparseFactor> factor_;
     mutable std::shared_ptr<const SelectedInverse> inverse_;  ///< made when it is first asked for
     Eigen::MatrixXd datum_cofactors_, of_datum_;  ///< Z B G and GᵀB Z B G, Z = Q with those held

@@ -1,24 +1,30 @@
 // The network adjustment: stations that nobody knows sight targets by direction, zenith angle and distance.
-// Timed are the way from the table to the estimates with the u of every coordinate, a trial, the reliability
-// of all readings; with more targets, for the growth.
+// Timed are the way from the table to the estimates with the u of every coordinate, a trial, one reading
+// more, the reliability of all readings; with more targets, for the growth; the factor beside Eigen's.
 #include <benchmark/benchmark.h>
+#include <sys/resource.h>
 
+#include <Eigen/SparseCholesky>
+#include <chrono>
 #include <cmath>
 
-#include "core/kinds/network/adjusted_setup.h"
+#include "core/kinds/network/adjusted_closures.h"
+#include "core/propagation/engine.h"
+#include "core/readers/entry_texts.h"
+#include "tests/core/made.h"
 
 namespace {
 
 using namespace covaria;
 using namespace covaria::network;
 
-/// A hall of 20 m x 16 m, four of its targets known.
-StatedAdjustment stated_hall(std::size_t stations, std::size_t targets) {
+/// A hall of 20 m x 16 m, four of its targets known; others with approximate coordinates or without.
+StatedAdjustment stated_hall(std::size_t stations, std::size_t targets, bool approximate = true) {
     StatedAdjustment stated;
     std::vector<Eigen::Vector3d> at;
     const auto add = [&](const std::string& name, const Eigen::Vector3d& p, CoordinateRole role) {
-        stated.points.push_back(
-            {.name = name, .p = {p.x(), p.y(), p.z()}, .plane = role, .height = role, .u = {}});
+        stated.points.push_back({.name = name, .p = {}, .plane = role, .height = role, .u = {}});
+        if (approximate || role == CoordinateRole::fixed) stated.points.back().p = {p.x(), p.y(), p.z()};
         at.push_back(p);
     };
     for (std::size_t s = 0; s < stations; ++s)
@@ -53,10 +59,17 @@ AdjustedNetwork adjusted_hall(std::size_t stations, std::size_t targets) {
     return std::move(*adjust_stated(stated_hall(stations, targets), problems));
 }
 
+double peak_megabytes() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return static_cast<double>(usage.ru_maxrss) / 1024.0;
+}
+
 /// Adjusts a table, and computes the u of every coordinate.
 void adjust_and_all_u(benchmark::State& state) {
     const StatedAdjustment stated =
-        stated_hall(static_cast<std::size_t>(state.range(0)), static_cast<std::size_t>(state.range(1)));
+        stated_hall(static_cast<std::size_t>(state.range(0)), static_cast<std::size_t>(state.range(1)),
+                    state.range(2) == 1);
     for (auto _ : state) {
         Problems problems;
         const std::optional<AdjustedNetwork> made = adjust_stated(stated, problems);
@@ -66,35 +79,170 @@ void adjust_and_all_u(benchmark::State& state) {
             sum += std::sqrt(made->adjusted->cofactor(k, k));
         benchmark::DoNotOptimize(sum);
     }
+    state.counters["peak_MB"] = peak_megabytes();
+    state.SetLabel(state.range(2) == 1 ? "approximate coordinates" : "no coordinates");
 }
 BENCHMARK(adjust_and_all_u)
-    ->Args({30, 250})
-    ->Args({30, 1000})
-    ->Args({30, 4000})
-    ->Args({100, 10000})
+    ->Args({30, 250, 1})
+    ->Args({30, 1000, 1})
+    ->Args({30, 1000, 0})
+    ->Args({30, 4000, 1})
+    ->Args({100, 10000, 1})
     ->Iterations(1)
     ->Unit(benchmark::kMillisecond);
 
-/// One Gauss-Newton step from new readings, with the factor at the estimates.
-void trial(benchmark::State& state) {
-    const AdjustedNetwork made = adjusted_hall(30, 1000);
-    const adjustment::SparseRows gradient =
-        adjustment::SparseRows((made.whitening.transpose() * made.adjusted->whitened()).transpose());
+/// The parts of the same, one after the other.
+void parts_of_it(benchmark::State& state) {
+    const StatedAdjustment stated = stated_hall(30, 1000);
+    Problems problems;
+    const auto timed = [&](const char* name, const auto& part) {
+        const auto begin = std::chrono::steady_clock::now();
+        part();
+        state.counters[name] =
+            std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+    };
     for (auto _ : state) {
-        const Eigen::VectorXd r = residuals_of(made, made.state.data());
-        benchmark::DoNotOptimize(made.adjusted->step(gradient * r));
+        std::optional<AdjustedNetwork> made;
+        timed("set_up", [&] { made = adjusted_network(stated, problems); });
+        timed("closures", [&] { benchmark::DoNotOptimize(closures(*made)); });
+        timed("start", [&] { find_start(*made, problems); });
+        adjustment::SparseRows design;
+        timed("design", [&] { design = design_of(*made, made->state.data()); });
+        timed("residuals", [&] { benchmark::DoNotOptimize(residuals_of(*made, made->state.data())); });
+        std::optional<adjustment::Adjustment> first, second;
+        timed("equations", [&] { first.emplace(design, made->whitening, made->datum); });
+        timed("equations_again", [&] { second.emplace(design, made->whitening, made->datum, &*first); });
+        timed("inverse", [&] { benchmark::DoNotOptimize(second->cofactor(0, 0)); });
+        timed("whole_search", [&] { adjust(*made, problems); });
+    }
+}
+BENCHMARK(parts_of_it)->Iterations(3)->Unit(benchmark::kMillisecond);
+
+/// The lower triangle of the normal equations of a hall, with columns of the design of length one.
+adjustment::SparseColumns normal_of(const AdjustedNetwork& made) {
+    const adjustment::SparseRows scaled =
+        made.adjusted->whitened() * made.adjusted->scale().cwiseInverse().asDiagonal();
+    const adjustment::SparseColumns normal = adjustment::SparseColumns(scaled.transpose()) * scaled;
+    return normal.triangularView<Eigen::Lower>();
+}
+
+void factor(benchmark::State& state) {
+    const adjustment::SparseColumns normal = normal_of(adjusted_hall(30, 1000));
+    adjustment::SparseFactor made;
+    for (auto _ : state)
+        benchmark::DoNotOptimize(made.factorise(normal, state.range(0) == 1 ? &made : nullptr));
+    state.SetLabel(state.range(0) == 1 ? "order known" : "with its order");
+}
+BENCHMARK(factor)->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
+
+void factor_of_eigen(benchmark::State& state) {
+    const adjustment::SparseColumns normal = normal_of(adjusted_hall(30, 1000));
+    Eigen::SimplicialLDLT<adjustment::SparseColumns, Eigen::Lower, Eigen::AMDOrdering<int>> ldlt(normal);
+    for (auto _ : state) {
+        if (state.range(0) == 0) ldlt.analyzePattern(normal);
+        ldlt.factorize(normal);
+        benchmark::DoNotOptimize(ldlt.info());
+    }
+    state.SetLabel(state.range(0) == 1 ? "order known" : "with its order");
+}
+BENCHMARK(factor_of_eigen)->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
+
+/// The hall as a project, with the model that the window and the command line have.
+Project project_of(const StatedAdjustment& stated) {
+    AnalysisEntry analysis{.id = "hall", .model = "network-adjustment", .name = "hall"};
+    TableRows points(table_of(analysis.model, "points")), readings(table_of(analysis.model, "readings"));
+    for (const StatedAdjustment::Point& p : stated.points)
+        points.add({{"name", p.name},
+                    {"x", *p.p[0]},
+                    {"y", *p.p[1]},
+                    {"z", *p.p[2]},
+                    {"plane", std::string(p.plane == CoordinateRole::fixed ? "fixed" : "unknown")},
+                    {"height", std::string(p.plane == CoordinateRole::fixed ? "fixed" : "unknown")}});
+    for (const StatedAdjustment::Reading& r : stated.readings) {
+        const char* kind = r.kind == ReadingKind::direction      ? "direction"
+                           : r.kind == ReadingKind::zenith_angle ? "zenith-angle"
+                                                                 : "slope-distance";
+        const auto cell = [](const std::optional<double>& v, double unit) {
+            return v ? SetupCell(*v / unit) : SetupCell();
+        };
+        readings.add({{"kind", std::string(kind)},
+                      {"from", r.from},
+                      {"to", r.to},
+                      {"length", cell(r.length, 1.0)},
+                      {"angle", cell(r.angle, 1.0)},
+                      {"u_length", cell(r.u_length, 1e-3)},
+                      {"u_angle", cell(r.u_angle, 1.0)}});
+    }
+    analysis.setup.values["points"] = points.table();
+    analysis.setup.values["readings"] = readings.table();
+    Project project;
+    project.analyses = {analysis};
+    return project;
+}
+
+/// An edit to first-order results of the engine, with sensitivities of every output to every reading.
+void first_order_of_the_engine(benchmark::State& state) {
+    const Project project = project_of(
+        stated_hall(static_cast<std::size_t>(state.range(0)), static_cast<std::size_t>(state.range(1))));
+    for (auto _ : state) {
+        Problems problems;
+        const auto analysis = made_analysis(project, "hall", problems);
+        if (!analysis) return state.SkipWithError("no analysis");
+        benchmark::DoNotOptimize(evaluate_first_order(*analysis->propagated, analysis->options));
+    }
+    state.counters["peak_MB"] = peak_megabytes();
+}
+BENCHMARK(first_order_of_the_engine)
+    ->Args({4, 50})
+    ->Args({8, 100})
+    ->Iterations(1)
+    ->Unit(benchmark::kMillisecond);
+
+/// One trial of the model: readings that deviate by one u each way.
+void trial(benchmark::State& state) {
+    Problems problems;
+    const auto analysis = made_analysis(project_of(stated_hall(30, 1000)), "hall", problems);
+    if (!analysis) return state.SkipWithError("no analysis");
+    const InputSet& inputs = analysis->model->inputs();
+    std::vector<double> x, y(analysis->model->outputs().size());
+    for (std::size_t i = 0; i < inputs.quantities.size(); ++i)
+        x.push_back(estimate_of(inputs, i) + (i % 3 == 0   ? 1.0
+                                              : i % 3 == 1 ? -1.0
+                                                           : 0.3) *
+                                                 standard_uncertainty_of(inputs, i));
+    for (auto _ : state) {
+        benchmark::DoNotOptimize(analysis->model->evaluate(x, y));
+        benchmark::DoNotOptimize(y.data());
     }
 }
 BENCHMARK(trial)->Unit(benchmark::kMillisecond);
 
-void reliability(benchmark::State& state) {
+/// One reading more: the changes of all unknowns and of the u of all of them, by a rank-one update.
+void one_reading_more(benchmark::State& state) {
     const AdjustedNetwork made = adjusted_hall(30, 1000);
+    std::vector<double> u2;
+    for (std::size_t k = 0; k < made.place_of.size(); ++k) u2.push_back(made.adjusted->cofactor(k, k));
+    const Eigen::VectorXd a = made.adjusted->whitened().row(4711).transpose();
+    for (auto _ : state) {
+        const Eigen::VectorXd gain = made.adjusted->step(a);
+        const double by = 1.0 / (1.0 + a.dot(gain));
+        double sum = 0.0;
+        for (std::size_t k = 0; k < u2.size(); ++k)
+            sum += std::sqrt(u2[k] -
+                             by * gain[static_cast<Eigen::Index>(k)] * gain[static_cast<Eigen::Index>(k)]);
+        benchmark::DoNotOptimize(sum);
+    }
+}
+BENCHMARK(one_reading_more)->Unit(benchmark::kMillisecond);
+
+void reliability(benchmark::State& state) {
+    const AdjustedNetwork made = adjusted_hall(static_cast<std::size_t>(state.range(0)), 1000);
     const Eigen::VectorXd residuals = residuals_of(made, made.state.data());
     for (auto _ : state)
         benchmark::DoNotOptimize(
             adjustment::reliability_of(*made.adjusted, made.whitening, made.blocks, residuals));
 }
-BENCHMARK(reliability)->Unit(benchmark::kMillisecond);
+BENCHMARK(reliability)->Arg(30)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 

@@ -119,6 +119,11 @@ Message contradiction(const AdjustedNetwork& made, std::size_t reading, const Me
                : tell<"it contradicts the others: %1; it cannot be told apart from %2">(size, alike);
 }
 
+void propose_mistakes(const AdjustedNetwork& network, Problems& problems) {
+    for (Message& words : likely_mistakes(network))
+        problems.warning(adjustment_fields().place(&StatedAdjustment::readings), std::move(words));
+}
+
 class Selection {
 public:
     Selection(StatedAdjustment stated, Problems& problems) : stated_(std::move(stated)), problems_(problems) {
@@ -157,21 +162,15 @@ private:
             again_ = take_back() || (stated_.leaves_undetermined && leave_unplaced(*made));
             return {};
         }
-        const bool may_repeat = stated_.gross_limit || stated_.robust;
-        AdjustedNetwork begun = may_repeat ? *made : AdjustedNetwork();
+        AdjustedNetwork begun = stated_.gross_limit || stated_.robust ? *made : AdjustedNetwork();
         adjust_from_start(*made, stated_.robust, own);
         if (own.has_errors()) {
             again_ = take_back() || leave_undetermined(begun, *made) || leave_gross(begun);
-            if (!again_ && !made->unsolved) propose_mistakes(*made);
+            if (!again_ && !made->unsolved) propose_mistakes(*made, problems_);
             return {};
         }
         again_ = (is_gross(*made, stated_.gross_limit) && leave_gross(begun)) || leave_outliers(begun, *made);
         return made;
-    }
-
-    void propose_mistakes(const AdjustedNetwork& network) {
-        for (Message& words : likely_mistakes(network))
-            problems_.warning(adjustment_fields().place(&StatedAdjustment::readings), std::move(words));
     }
 
     void leave_point(const AdjustedNetwork& network, std::size_t p, bool plane) {

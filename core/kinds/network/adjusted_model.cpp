@@ -2,6 +2,7 @@
 #include "core/kinds/network/adjusted_model.h"
 
 #include <cmath>
+#include <mutex>
 
 #include "core/base/name.h"
 #include "core/kinds/network/seen_figures.h"
@@ -79,6 +80,17 @@ bool is_large(const AdjustedNetwork& network) {
            machine_hall;
 }
 
+/// g := M r.
+void multiply(const adjustment::SparseRows& M, const double* r, double* g) {
+    const int *starts = M.outerIndexPtr(), *columns = M.innerIndexPtr();
+    const double* values = M.valuePtr();
+    for (Eigen::Index k = 0; k < M.rows(); ++k) {
+        double sum = 0.0;
+        for (int e = starts[k]; e < starts[k + 1]; ++e) sum += values[e] * r[columns[e]];
+        g[k] = sum;
+    }
+}
+
 /// The model y of x: the unknowns where J₀ᵀ C⁻¹ (x − h(y)) = 0, with J₀ the derivatives at the estimates. At
 /// these it is the least sum of squares, and its sensitivities are the rows of the gain Q J₀ᵀ C⁻¹; elsewhere
 /// it differs from the least sum by terms of second order times the residuals.
@@ -87,8 +99,9 @@ public:
     explicit NetworkAdjustment(AdjustedNetwork made)
         : evidence_(std::make_shared<const network::NetworkEvidence>(std::move(made))),
           network_(evidence_->network),
-          inputs_(network::adjustment_inputs(network_)),
-          tables_(network::adjustment_tables(network_)) {
+          inputs_(network::adjustment_inputs(network_)) {
+        for (const network::AdjustedReading& reading : network_.readings)
+            predicted_.push_back(predicted(network_, reading, network_.state.data()));
         const adjustment::SparseRows weighted =
             network_.whitening.transpose() * network_.adjusted->whitened();
         to_gradient_ = adjustment::SparseRows(weighted.transpose());
@@ -98,7 +111,10 @@ public:
     const InputSet& inputs() const override { return inputs_; }
     const std::vector<OutputQuantity>& outputs() const override { return outputs_; }
     Layout layout(std::span<const double>) const override { return network::adjustment_layout(network_); }
-    std::vector<Table> evaluation() const override { return tables_; }
+    std::vector<Table> evaluation() const override {
+        std::call_once(tables_made_, [&] { tables_ = network::adjustment_tables(network_); });
+        return tables_;
+    }
     std::shared_ptr<const evidence::RedundantReadings> redundant_readings() const override {
         return evidence_->readings();
     }
@@ -159,8 +175,9 @@ private:
         double before = std::numeric_limits<double>::infinity();
         for (int k = 0; k < most_steps; ++k) {
             for (std::size_t i = 0; i < b.residuals.size(); ++i)
-                b.residuals[i] = residual_of(network_, network_.readings[i], x[i], b.state.data());
-            multiply(b.residuals.data(), b.change.data());
+                b.residuals[i] = k > 0 ? residual_of(network_, network_.readings[i], x[i], b.state.data())
+                                       : residual_of(network_.readings[i], x[i], predicted_[i]);
+            multiply(to_gradient_, b.residuals.data(), b.change.data());
             network_.adjusted->step(b.change.data(), b.scratch.data());
             double length = 0.0;
             for (std::size_t i = 0; i < n; ++i) {
@@ -169,21 +186,14 @@ private:
                     length, std::abs(b.change[i]) * network_.adjusted->scale()[static_cast<Eigen::Index>(i)]);
             }
             if (!std::isfinite(length)) return false;
-            // The last digit of large coordinates may be more than that part of a reading's u.
-            if (length < enough || (length < 1e-5 && length > 0.5 * before)) return true;
+            // Each step is as much shorter as the one before. The last digit of large coordinates may be more
+            // than that part of a reading's u.
+            if (length < enough || (k > 0 && length * length < enough * before) ||
+                (length < 1e-5 && length > 0.5 * before))
+                return true;
             before = length;
         }
         return false;
-    }
-
-    void multiply(const double* r, double* g) const {
-        const int *starts = to_gradient_.outerIndexPtr(), *columns = to_gradient_.innerIndexPtr();
-        const double* values = to_gradient_.valuePtr();
-        for (Eigen::Index k = 0; k < to_gradient_.rows(); ++k) {
-            double sum = 0.0;
-            for (int e = starts[k]; e < starts[k + 1]; ++e) sum += values[e] * r[columns[e]];
-            g[k] = sum;
-        }
     }
 
     Eigen::Vector3d along(std::size_t from, std::size_t to, const double* state) const {
@@ -276,7 +286,9 @@ private:
     std::shared_ptr<const network::NetworkEvidence> evidence_;
     const AdjustedNetwork& network_;  ///< the network of `evidence_`
     InputSet inputs_;
-    std::vector<Table> tables_;
+    mutable std::once_flag tables_made_;
+    mutable std::vector<Table> tables_;   ///< made when they are first asked for
+    std::vector<double> predicted_;       ///< predictions of the readings at the estimates
     adjustment::SparseRows to_gradient_;  ///< J₀ᵀ C⁻¹
     std::vector<OutputQuantity> outputs_;
 };

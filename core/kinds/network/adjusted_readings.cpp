@@ -269,10 +269,14 @@ double predicted(const AdjustedNetwork& network, const AdjustedReading& reading,
     return value;
 }
 
+double residual_of(const AdjustedReading& reading, double value, double predicted) {
+    const double r = value - predicted;
+    return is_of_angle(reading.kind) ? std::remainder(r, 2.0 * std::numbers::pi) : r;
+}
+
 double residual_of(const AdjustedNetwork& network, const AdjustedReading& reading, double value,
                    const double* state) {
-    const double r = value - predicted(network, reading, state);
-    return is_of_angle(reading.kind) ? std::remainder(r, 2.0 * std::numbers::pi) : r;
+    return residual_of(reading, value, predicted(network, reading, state));
 }
 
 void derivatives(const AdjustedNetwork& network, const AdjustedReading& reading, const double* state,
@@ -307,18 +311,34 @@ void derivatives(const AdjustedNetwork& network, const AdjustedReading& reading,
 }
 
 adjustment::SparseRows design_of(const AdjustedNetwork& network, const double* state) {
-    std::vector<Eigen::Triplet<double>> elements;
+    constexpr std::size_t usual = 8;  // derivatives of a reading
+    std::vector<int> starts{0}, columns;
+    std::vector<double> values;
+    starts.reserve(network.readings.size() + 1);
+    columns.reserve(usual * network.readings.size());
+    values.reserve(usual * network.readings.size());
     StateTerms terms;
-    for (std::size_t i = 0; i < network.readings.size(); ++i) {
-        derivatives(network, network.readings[i], state, terms);
-        for (const StateTerm& term : terms)
-            if (const std::size_t k = network.unknown_of[term.place]; k != AdjustedNetwork::known)
-                elements.emplace_back(static_cast<int>(i), static_cast<int>(k), term.coefficient);
+    for (const AdjustedReading& reading : network.readings) {
+        derivatives(network, reading, state, terms);
+        const auto first = static_cast<std::size_t>(starts.back());
+        for (const StateTerm& term : terms) {
+            if (network.unknown_of[term.place] == AdjustedNetwork::known) continue;
+            const int column = static_cast<int>(network.unknown_of[term.place]);
+            std::size_t at = columns.size();
+            while (at > first && columns[at - 1] > column) --at;
+            if (at > first && columns[at - 1] == column) {
+                values[at - 1] += term.coefficient;
+                continue;
+            }
+            columns.insert(columns.begin() + static_cast<std::ptrdiff_t>(at), column);
+            values.insert(values.begin() + static_cast<std::ptrdiff_t>(at), term.coefficient);
+        }
+        starts.push_back(static_cast<int>(columns.size()));
     }
-    adjustment::SparseRows design(static_cast<Eigen::Index>(network.readings.size()),
-                                  static_cast<Eigen::Index>(network.place_of.size()));
-    design.setFromTriplets(elements.begin(), elements.end());
-    return design;
+    return Eigen::Map<const adjustment::SparseRows>(static_cast<Eigen::Index>(network.readings.size()),
+                                                    static_cast<Eigen::Index>(network.place_of.size()),
+                                                    static_cast<Eigen::Index>(columns.size()), starts.data(),
+                                                    columns.data(), values.data());
 }
 
 Eigen::VectorXd residuals_of(const AdjustedNetwork& network, const double* state) {

@@ -18,7 +18,8 @@ public:
             return problems_.error(adjustment_fields().place(&StatedAdjustment::readings), *few);
         for (int k = 0; k < most_steps; ++k) {
             const auto adjusted = std::make_shared<const adjustment::Adjustment>(
-                design_of(network_, network_.state.data()), network_.whitening, network_.datum);
+                design_of(network_, network_.state.data()), network_.whitening, network_.datum,
+                network_.adjusted.get());
             if (adjusted->open().cols() > 0) return refuse(adjusted);
             if (!adjusted->is_solved()) break;
             network_.adjusted = adjusted;
@@ -40,13 +41,15 @@ public:
         constexpr double bend = 1.0;  // in u
         const adjustment::SparseRows own = network_.whitening;
         Eigen::VectorXd before = network_.state;
+        std::optional<adjustment::Adjustment> last;
         for (int k = 0; k < steps; ++k) {
             const Eigen::VectorXd r = own * residuals_of(network_, network_.state.data());
             const Eigen::VectorXd weights =
                 r.unaryExpr([](double v) { return std::sqrt(bend / std::fmax(bend, std::abs(v))); });
             network_.whitening = adjustment::SparseRows(weights.asDiagonal() * own);
-            const adjustment::Adjustment adjusted(design_of(network_, network_.state.data()),
-                                                  network_.whitening, network_.datum);
+            last = adjustment::Adjustment(design_of(network_, network_.state.data()), network_.whitening,
+                                          network_.datum, last ? &*last : nullptr);
+            const adjustment::Adjustment& adjusted = *last;
             if (!adjusted.is_solved()) break;
             const Eigen::VectorXd change =
                 adjusted.step(adjusted.whitened().transpose() * Eigen::VectorXd(weights.cwiseProduct(r)));

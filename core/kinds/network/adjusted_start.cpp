@@ -18,6 +18,12 @@ struct Sighting {
     double angle = 0.0;
 };
 
+bool put(PlaneFrame& frame, std::size_t point, std::size_t from, const Vector2& v) {
+    if (frame.places[point] || !frame.places[from]) return false;
+    frame.places[point] = *frame.places[from] + v;
+    return true;
+}
+
 struct Ray {
     Vector2 from, along;
     std::size_t point;
@@ -43,7 +49,7 @@ bool intersect(PlaneFrame& frame, std::size_t p, const std::vector<Ray>& rays) {
 class PlaneReadings {
 public:
     explicit PlaneReadings(const AdjustedNetwork& network)
-        : network_(network), rounds_(network.rounds.size()) {
+        : network_(network), rounds_(network.rounds.size()), by_point_(network.points.size()) {
         std::map<std::pair<std::size_t, std::size_t>, double> zenith;
         for (const AdjustedReading& r : network.readings)
             if (r.kind == ReadingKind::zenith_angle) zenith.try_emplace({r.from, r.to}, r.value);
@@ -67,6 +73,8 @@ public:
         }
         for (const auto& [pair, v] : differences)
             if (halves[pair] == 3) vectors_.push_back({pair.first, pair.second, v});
+        for (const Sighting& s : sightings_)
+            for (const std::size_t p : {s.from, s.to}) by_point_[p].push_back(s);
     }
 
     Vector2 along(double bearing) const {
@@ -78,9 +86,8 @@ public:
     }
 
     PlaneFrame empty_frame() const {
-        PlaneFrame frame{std::vector<std::optional<Vector2>>(network_.points.size()),
-                         std::vector<std::optional<double>>(rounds_)};
-        return frame;
+        return {std::vector<std::optional<Vector2>>(by_point_.size()),
+                std::vector<std::optional<double>>(rounds_)};
     }
     std::size_t azimuths() const { return azimuth_round_; }
     const std::vector<Sighting>& sightings() const { return sightings_; }
@@ -123,12 +130,6 @@ private:
         return found == distances_.end() ? std::nullopt : std::optional(found->second);
     }
 
-    static bool put(PlaneFrame& frame, std::size_t point, std::size_t from, const Vector2& v) {
-        if (frame.places[point] || !frame.places[from]) return false;
-        frame.places[point] = *frame.places[from] + v;
-        return true;
-    }
-
     /// Orients rounds by the farthest target that is placed.
     bool orient(PlaneFrame& frame) const {
         bool more = false;
@@ -151,7 +152,7 @@ private:
 
     bool place(PlaneFrame& frame, std::size_t p) const {
         std::vector<Ray> rays;
-        for (const Sighting& s : sightings_) {
+        for (const Sighting& s : by_point_[p]) {
             if (!frame.orientations[s.round]) continue;
             const Vector2 along = this->along(s.angle + *frame.orientations[s.round]);
             if (s.to == p && frame.places[s.from]) rays.push_back({*frame.places[s.from], along, s.from});
@@ -216,7 +217,7 @@ private:
     bool stand_freely(PlaneFrame& frame, std::size_t p, const std::vector<Ray>& rays) const {
         std::map<std::size_t, std::vector<Sighted>> targets;
         std::map<std::size_t, std::size_t> rows;
-        for (const Sighting& s : sightings_) {
+        for (const Sighting& s : by_point_[p]) {
             if (s.from != p || !frame.places[s.to] || frame.orientations[s.round]) continue;
             const auto d = distance(p, s.to);
             targets[s.round].push_back({*frame.places[s.to], s.angle, d});
@@ -277,6 +278,7 @@ private:
     const AdjustedNetwork& network_;
     std::size_t rounds_, azimuth_round_ = none;
     std::vector<Sighting> sightings_;
+    std::vector<std::vector<Sighting>> by_point_;  ///< sightings from and to each point
     std::vector<Difference> vectors_;
     std::map<std::pair<std::size_t, std::size_t>, double> distances_;
 };
