@@ -180,7 +180,7 @@ private:
                   [=, this, base = *best](const Values& v) { return misses(v, base, c, d); });
     }
 
-    static constexpr std::size_t most_tried = 8;  ///< points among which a base is looked for
+    static constexpr std::size_t most_tried = 6;  ///< points among which a base is looked for
 
     void close_in_plane(std::size_t c, std::size_t d, const std::vector<std::size_t>& common) {
         std::vector<std::vector<std::size_t>> bases;

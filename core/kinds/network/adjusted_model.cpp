@@ -5,6 +5,7 @@
 #include <mutex>
 
 #include "core/base/name.h"
+#include "core/kinds/network/near_predictions.h"
 #include "core/kinds/network/seen_figures.h"
 #include "core/kinds/points/output_points.h"
 #include "core/model/dense_jacobian.h"
@@ -99,9 +100,8 @@ public:
     explicit NetworkAdjustment(AdjustedNetwork made)
         : evidence_(std::make_shared<const network::NetworkEvidence>(std::move(made))),
           network_(evidence_->network),
-          inputs_(network::adjustment_inputs(network_)) {
-        for (const network::AdjustedReading& reading : network_.readings)
-            predicted_.push_back(predicted(network_, reading, network_.state.data()));
+          inputs_(network::adjustment_inputs(network_)),
+          near_(network_) {
         const adjustment::SparseRows weighted =
             network_.whitening.transpose() * network_.adjusted->whitened();
         to_gradient_ = adjustment::SparseRows(weighted.transpose());
@@ -157,7 +157,7 @@ public:
 
 private:
     struct Buffers {
-        std::vector<double> state, residuals, change, scratch;
+        std::vector<double> state, moved, begun, residuals, change, scratch;
     };
     static Buffers& buffers_of_thread() {
         static thread_local Buffers buffers;
@@ -169,19 +169,20 @@ private:
         constexpr double enough = 1e-11;  // as a part of a reading's u
         const std::size_t n = network_.place_of.size();
         b.state.assign(network_.state.data(), network_.state.data() + network_.state.size());
-        b.residuals.resize(network_.readings.size());
+        b.moved.assign(b.state.size(), 0.0);
+        near_.at_estimates(x, b.begun);
+        b.residuals = b.begun;
         b.change.resize(n);
         b.scratch.resize(network_.adjusted->scratch_size());
         double before = std::numeric_limits<double>::infinity();
         for (int k = 0; k < most_steps; ++k) {
-            for (std::size_t i = 0; i < b.residuals.size(); ++i)
-                b.residuals[i] = k > 0 ? residual_of(network_, network_.readings[i], x[i], b.state.data())
-                                       : residual_of(network_.readings[i], x[i], predicted_[i]);
+            if (k > 0) near_.at_state(x, b.begun, b.state, b.moved, b.residuals);
             multiply(to_gradient_, b.residuals.data(), b.change.data());
             network_.adjusted->step(b.change.data(), b.scratch.data());
             double length = 0.0;
             for (std::size_t i = 0; i < n; ++i) {
                 b.state[network_.place_of[i]] += b.change[i];
+                b.moved[network_.place_of[i]] += b.change[i];
                 length = std::max(
                     length, std::abs(b.change[i]) * network_.adjusted->scale()[static_cast<Eigen::Index>(i)]);
             }
@@ -287,8 +288,8 @@ private:
     const AdjustedNetwork& network_;  ///< the network of `evidence_`
     InputSet inputs_;
     mutable std::once_flag tables_made_;
-    mutable std::vector<Table> tables_;   ///< made when they are first asked for
-    std::vector<double> predicted_;       ///< predictions of the readings at the estimates
+    mutable std::vector<Table> tables_;  ///< made when they are first asked for
+    network::NearPredictions near_;
     adjustment::SparseRows to_gradient_;  ///< J₀ᵀ C⁻¹
     std::vector<OutputQuantity> outputs_;
 };

@@ -269,14 +269,10 @@ double predicted(const AdjustedNetwork& network, const AdjustedReading& reading,
     return value;
 }
 
-double residual_of(const AdjustedReading& reading, double value, double predicted) {
-    const double r = value - predicted;
-    return is_of_angle(reading.kind) ? std::remainder(r, 2.0 * std::numbers::pi) : r;
-}
-
 double residual_of(const AdjustedNetwork& network, const AdjustedReading& reading, double value,
                    const double* state) {
-    return residual_of(reading, value, predicted(network, reading, state));
+    const double r = value - predicted(network, reading, state);
+    return is_of_angle(reading.kind) ? std::remainder(r, 2.0 * std::numbers::pi) : r;
 }
 
 void derivatives(const AdjustedNetwork& network, const AdjustedReading& reading, const double* state,

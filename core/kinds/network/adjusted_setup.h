@@ -332,7 +332,6 @@ Eigen::Vector3d out_of_frame(const AdjustedNetwork& network, std::size_t f, cons
 /// `AdjustedNetwork::state`.
 double predicted(const AdjustedNetwork& network, const AdjustedReading& reading, const double* state);
 /// The value less the prediction of the reading; that of angles is on the circle.
-double residual_of(const AdjustedReading& reading, double value, double predicted);
 double residual_of(const AdjustedNetwork& network, const AdjustedReading& reading, double value,
                    const double* state);
 void derivatives(const AdjustedNetwork& network, const AdjustedReading& reading, const double* state,

@@ -152,8 +152,9 @@ void check_adjustment(const AdjustedNetwork& network, Problems& problems) {
     for (std::size_t i = 0; i < found.readings.size(); ++i)
         if (std::abs(found.readings[i].w) > std::abs(found.readings[worst].w)) worst = i;
     constexpr double far_too_large = 3.0;  // s₀, from which a mistake is likely that concerns many readings
-    std::vector<Message> mistakes = exchanged_names(network);
-    if (mistakes.empty() && found.s0 > far_too_large) mistakes = likely_mistakes(network);
+    std::vector<Message> mistakes;
+    if (found.s0 > far_too_large) mistakes = likely_mistakes(network);
+    if (mistakes.empty()) mistakes = exchanged_names(network);
     for (Message& words : mistakes)
         problems.warning(adjustment_fields().place(&StatedAdjustment::readings), std::move(words));
     problems.add(
