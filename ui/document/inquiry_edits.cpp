@@ -99,13 +99,6 @@ const InquiryList<Design>& design_list() {
     return list;
 }
 
-Study new_study(const Project& project, const AnalysisEntry& analysis) {
-    Study study;
-    const auto choices = study_targets(project, analysis, nullptr);
-    if (!choices.empty()) study.axes.push_back(choices.front().axis);
-    return study;
-}
-
 namespace {
 
 /// Rank of a choice: poses of instruments are chosen most and come first, measured values come last.
@@ -139,6 +132,22 @@ std::optional<DesignVariable> next_variable(const Project& project, const Analys
     next->number.values = 2;
     next->number.spacing = StudySpacing::linear;
     return next;
+}
+
+Study new_study(const Project& project, const AnalysisEntry& analysis) {
+    constexpr double metres = 1.0;  // to each side: a place is moved by what can be seen in its scene
+    Study study;
+    const auto choices = study_targets(project, analysis, nullptr);
+    const auto best = std::ranges::min_element(
+        choices, {}, [&](const StudyTargetChoice& choice) { return rank_as_variable(project, choice); });
+    if (best == choices.end()) return study;
+    StudyAxis& axis = study.axes.emplace_back(best->axis);
+    if (best->target.kind == StudyTarget::Kind::pose && axis.unit.dimension() == Unit::of("m").dimension()) {
+        const double half = axis.unit.interval_from_si(metres);
+        axis.from = best->target.current - half;
+        axis.to = best->target.current + half;
+    }
+    return study;
 }
 
 Design new_design(const Project& project, const AnalysisEntry& analysis) {

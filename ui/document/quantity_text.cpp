@@ -93,6 +93,26 @@ Result<std::optional<Quantity>> parse_quantity(const QString& text, const Unit& 
     return std::optional<Quantity>(Quantity{*value, *typed});
 }
 
+std::optional<ConciseText> concise_parts(const QString& text) {
+    static const QRegularExpression spaces(QStringLiteral("(?<=\\d)[ \u00a0\u202f\u2009](?=\\d)"));
+    static const QRegularExpression pattern(
+        QStringLiteral("^([+\\-−]?)(\\d+)([.,]?)(\\d*)\\((\\d+)(?:([.,])(\\d+))?\\)((?:[eE][+\\-−]?\\d+|×10["
+                       "⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)?)\\s*(\\S.*)?$"));
+    const QRegularExpressionMatch match = pattern.match(QString(text.trimmed()).remove(spaces));
+    if (!match.hasMatch()) return std::nullopt;
+    const QString sign = match.captured(3), decimals = match.captured(4), power = match.captured(8);
+    QString u = match.captured(5);
+    if (!match.captured(6).isEmpty()) {
+        u += match.captured(6) + match.captured(7);
+    } else if (!decimals.isEmpty()) {
+        u = u.rightJustified(decimals.size() + 1, QLatin1Char('0'));
+        u.insert(u.size() - decimals.size(), sign);
+    }
+    const QString behind =
+        power + (match.captured(9).isEmpty() ? QString() : QLatin1Char(' ') + match.captured(9));
+    return ConciseText{match.captured(1) + match.captured(2) + sign + decimals + behind, u + behind};
+}
+
 QString number_text(double value, const QLocale& locale) {
     return to_qt(format_shortest(value)).replace('.', locale.decimalPoint());
 }

@@ -28,6 +28,14 @@ Result<Unit> parse_unit(const QString& text);
 /// Errors: not a number, unknown unit, a unit of another dimension than `unit`.
 Result<std::optional<Quantity>> parse_quantity(const QString& text, const Unit& unit, const QLocale& locale);
 
+/// The parts of "100.021 47(35) g", a value with the standard uncertainty of its last digits in parentheses,
+/// or of "100.021 47(0.000 35) g" (JCGM 100 7.2.2): "100.02147 g", "0.00035 g".
+struct ConciseText {
+    QString value, uncertainty;
+};
+/// Empty: the text is none of these.
+std::optional<ConciseText> concise_parts(const QString& text);
+
 /// Shortest text that reads back to the same number.
 QString number_text(double value, const QLocale& locale);
 /// Number and unit: "0.5 µm"; the unit one is left out.

@@ -1,6 +1,7 @@
 #include "ui/forms/certificate_form.h"
 
 #include <QApplication>
+#include <QShortcut>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -114,6 +115,11 @@ void CertificateForm::add_head() {
     column->addLayout(head);
     column->addWidget(groups_);
     connect(next_, &QPushButton::clicked, this, &CertificateForm::focus_next_missing);
+    const QKeySequence keys(Qt::CTRL | Qt::Key_Return);
+    auto* by_keys = new QShortcut(keys, this, {}, {}, Qt::WidgetWithChildrenShortcut);
+    connect(by_keys, &QShortcut::activated, this, &CertificateForm::focus_next_missing);
+    next_->setToolTip(
+        QStringLiteral("%1 (%2)").arg(next_->toolTip(), keys.toString(QKeySequence::NativeText)));
 }
 
 void CertificateForm::add_section(const CertificateSection& section) {

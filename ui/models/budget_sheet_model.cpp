@@ -365,7 +365,27 @@ int BudgetSheetModel::write(int row, int section, const QString& text, const QSt
 }
 
 BudgetSheetModel::Cells BudgetSheetModel::cells_of_statement(int row, const QString& text) const {
-    const auto read = read_typed(row, text);
+    return cells_of_statement(row, text, read_typed(row, text));
+}
+
+BudgetSheetModel::Cells BudgetSheetModel::cells_of_estimate(int row, const QString& text) const {
+    const auto concise = concise_parts(text);
+    if (!concise) return sheet_.cells_of_value(row, text);
+    Cells cells = sheet_.cells_of_value(row, concise->value);
+    if (!cells[column("value")].refused.isEmpty())
+        return {{column("value"), {text, cells[column("value")].refused}}};
+    const auto unit_now = cells.find(column("unit"));
+    const Unit of_row =
+        unit_now == cells.end() ? unit_of(row) : parse_unit(unit_now->second.text).value_or(unit_of(row));
+    const auto read = read_in(concise->uncertainty, of_row);
+    if (!read) return {{column("value"), {text, to_qt(read.error().message)}}};
+    for (auto& [at, cell] : cells_of_statement(row, concise->uncertainty, read))
+        if (at != column("value")) cells[at] = std::move(cell);
+    return cells;
+}
+
+BudgetSheetModel::Cells BudgetSheetModel::cells_of_statement(int row, const QString& text,
+                                                             const Result<TypedStatement>& read) const {
     Cells cells;
     const auto refuse = [&](const QString& why) {
         cells[column("statement")] = {text, why};
@@ -397,7 +417,7 @@ BudgetSheetModel::Cells BudgetSheetModel::cells_of_statement(int row, const QStr
 
 BudgetSheetModel::Cells BudgetSheetModel::cells_for(int row, int section, const QString& text) const {
     if (section == stated) return cells_of_statement(row, text);
-    if (section == estimate) return sheet_.cells_of_value(row, text);
+    if (section == estimate) return cells_of_estimate(row, text);
     Cells cells;
     cells[column_of(section)] = {text};
     const QString figure = text.trimmed();  // "2 ppm" would be 0.000 002 degrees of freedom

@@ -23,6 +23,17 @@ TEST(NewDesign, AnInstrumentsPlaceIsChosenFirst) {
     EXPECT_EQ(first_variable("lsm-network", "recommended"), "camera-1/setup/station/position/0");
 }
 
+TEST(NewStudy, MovesAnInstrumentByAMetre) {
+    const LoadedProject loaded = load_project(COVARIA_SOURCE_DIR "/projects/tracker-pose.covaria");
+    const Study study = new_study(loaded.project, *loaded.project.find_analysis("tracker-alone"));
+    ASSERT_EQ(study.axes.size(), 1U);
+    const StudyAxis& axis = study.axes.front();
+    EXPECT_EQ(axis.asset + axis.target, "tracker/setup/station/position/0");
+    EXPECT_DOUBLE_EQ(axis.unit.interval_to_si(axis.to - axis.from), 2.0);
+    const LoadedProject typed = load_project(COVARIA_SOURCE_DIR "/projects/gum/h1-end-gauge.covaria");
+    EXPECT_EQ(new_study(typed.project, typed.project.analyses.front()).axes.size(), 1U) << "nothing to move";
+}
+
 TEST(NewDesign, NothingThatWasMeasuredIsChosen) {
     for (const auto& [example, analysis] : {std::pair("ballbar-design", "points"),
                                             {"er10l-c10", "trajectories"},

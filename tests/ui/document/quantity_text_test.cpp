@@ -106,5 +106,21 @@ TEST(QuantityText, ConversionLeavesNoNoise) {
     EXPECT_EQ(converted(0.7, Unit::of("mm"), Unit::of("um")), 700.0);
 }
 
+TEST(ConciseText, HasTheUncertaintyOfTheLastDigits) {
+    const auto parts = [](const char* text) {
+        const auto found = concise_parts(QString::fromUtf8(text));
+        return found ? to_std(found->value + QLatin1String(" | ") + found->uncertainty) : "none";
+    };
+    EXPECT_EQ(parts("100.021 47(35) g"), "100.02147 g | 0.00035 g");
+    EXPECT_EQ(parts("100.02147(0.00035) g"), "100.02147 g | 0.00035 g");
+    EXPECT_EQ(parts("100,02147(35) g"), "100,02147 g | 0,00035 g");
+    EXPECT_EQ(parts("-1.5(12)"), "-1.5 | 1.2");
+    EXPECT_EQ(parts("50(2) mm"), "50 mm | 2 mm");
+    EXPECT_EQ(parts("6.62(3)e-34 J s"), "6.62e-34 J s | 0.03e-34 J s");
+    EXPECT_EQ(parts("2.0(1)×10⁻⁶"), "2.0×10⁻⁶ | 0.1×10⁻⁶");
+    for (const char* text : {"100", "100 (g)", "f(2)", "1.2(3", "(3)", "1.2()", "1(2)(3)"})
+        EXPECT_EQ(parts(text), "none") << text;
+}
+
 }  // namespace
 }  // namespace covaria::ui::quantity_text_test

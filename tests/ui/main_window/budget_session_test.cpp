@@ -12,6 +12,7 @@
 #include <QTabWidget>
 #include <cmath>
 
+#include "core/project/certificate.h"
 #include "tests/ui/main_window/session_fixture.h"
 #include "ui/charts/chart_view.h"
 #include "ui/forms/budget_sheet_view.h"
@@ -154,6 +155,95 @@ TEST_F(BudgetSession, GaugeBlockFromNothingToPdfInTwentyActions) {
     EXPECT_TRUE(status().is_current());
     EXPECT_GT(QFileInfo(pdf).size(), 10'000);
     EXPECT_LE(actions_, 20);
+}
+
+// Eight quantities, a correlation and all texts that ISO/IEC 17025 asks for, by keys, menus and one name.
+TEST_F(BudgetSession, GaugeBlockFromNothingToItsCertificateInFortyActions) {
+    window_->files().dialogs.confirm = [](const QString&, const QString&) { return false; };
+    trigger(QStringLiteral("New Project"));
+    count();
+    QApplication::setActiveWindow(window_.get());
+    type_key(Qt::Key_Return);  // the first of what can be evaluated
+    count();
+    auto* equations = field<QPlainTextEdit>("equations");
+    ASSERT_TRUE(wait_for([&] { return equations->hasFocus(); }));
+    type_keys(QStringLiteral("l = l_S + d + c - l_N*(alpha*delta_t + delta_alpha*Delta_t)"));
+    type_key(Qt::Key_Tab);
+    count();
+    ASSERT_EQ(window_->budget().model()->sheet().rowCount(), 8) << "rows come with the names";
+    const struct {
+        const char *symbol, *estimate, *stated;
+    } rows[] = {{"l_S", "50.000020(15) mm", nullptr}, {"d", "-96.4(13) nm", nullptr},
+                {"c", "0 nm", "rect 32 nm"},          {"l_N", "50 mm", "constant"},
+                {"alpha", "11.5e-6 1/K", "tri 1e-6"}, {"delta_t", "0.02 K", "rect 0.05"},
+                {"delta_alpha", "0 1/K", "tri 2e-6"}, {"Delta_t", "0.30 K", "rect 0.5"}};
+    for (const auto& row : rows) {
+        EXPECT_EQ(row_of(QLatin1String(row.symbol)), sheet()->currentIndex().row());
+        ASSERT_EQ(sheet()->currentIndex().column(), Section::estimate) << row.symbol;
+        type_keys(QString::fromUtf8(row.estimate));
+        type_key(row.stated ? Qt::Key_Tab : Qt::Key_Return);
+        count();
+        if (row.stated) {
+            type_keys(QLatin1String(row.stated));
+            type_key(Qt::Key_Return);
+            count();
+        }
+        QApplication::processEvents();  // the editor is left in its own time
+    }
+    EXPECT_TRUE(problems().isEmpty()) << problems().join(QLatin1Char('\n')).toStdString();
+    ASSERT_TRUE(wait_for([&] { return status().result && status().is_of_present(); }));
+    type_key(Qt::Key_Up);
+    count();
+    type_key(Qt::Key_Up, Qt::ShiftModifier);
+    count();
+    QLineEdit& r = window_->budget().correlation();
+    ASSERT_TRUE(wait_for([&] { return r.isEnabled(); }));
+    type_key(Qt::Key_R, Qt::ControlModifier);
+    count();
+    ASSERT_TRUE(wait_for([&] { return r.hasFocus() && r.hasSelectedText(); }, 2000) || r.text().isEmpty());
+    type_keys(QStringLiteral("0.3"));
+    type_key(Qt::Key_Return);
+    count();
+    go_to_cell("outputs", 0, 1);
+    count();
+    type_keys(QStringLiteral("length at 20 C"));
+    type_key(Qt::Key_Return);
+    count();
+    trigger(QStringLiteral("Certificate as PDF"));  // says what is missing, and goes there
+    count();
+    count();  // Escape in its question
+    const Project& project = window_->document().project();
+    std::size_t texts = 0;
+    for (const CertificateField& one : certificate_fields()) texts += one.required;
+    for (std::size_t i = 0; i < texts; ++i) {
+        type_key(Qt::Key_Return, Qt::ControlModifier);  // to the next that is missing
+        const CertificateField* of = nullptr;
+        for (const CertificateField& one : certificate_fields()) {
+            auto* editor = window_->properties().findChild<QWidget*>(to_qt(pointer_of(one)));
+            const QWidget* focus = QApplication::focusWidget();
+            if (editor && (editor == focus || editor->isAncestorOf(focus))) of = &one;
+        }
+        ASSERT_NE(of, nullptr) << i;
+        const bool is_date = of->kind == CertificateText::date || of->kind == CertificateText::dates;
+        type_keys(is_date ? QStringLiteral("2026-11-26") : QString::fromLatin1(of->title));
+        count();
+        QApplication::processEvents();
+    }
+    type_key(Qt::Key_Return, Qt::ControlModifier);
+    for (const CertificateField& one : certificate_fields()) {
+        if (!one.required) continue;
+        EXPECT_FALSE((project.certificate.*one.member).empty()) << one.title;
+    }
+    const QString pdf = folder_.filePath(QStringLiteral("certificate.pdf"));
+    answer_.file_to_save = pdf;
+    QSignalSpy finished(&window_->exports(), &ExportActions::finished);
+    trigger(QStringLiteral("Certificate as PDF"));
+    count();
+    count();  // the name of the file, and Return
+    ASSERT_TRUE(wait_for([&] { return !finished.empty(); }, 120'000));
+    EXPECT_GT(QFileInfo(pdf).size(), 10'000);
+    RecordProperty("actions", actions_);
+    EXPECT_LE(actions_, 40);
 }
 
 // Tab goes over what is typed and passes what is computed; a name in the last row is a new quantity.

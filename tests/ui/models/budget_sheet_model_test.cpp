@@ -266,6 +266,30 @@ TEST_F(BudgetSheetModelTest, ObservationsKeepTheirZeros) {
 }
 
 /// "4.0 kg" does so as an estimate.
+/// JCGM 100 7.2.2: u of the last digits in parentheses, or u itself.
+TEST_F(BudgetSheetModelTest, AnEstimateMayBringItsStandardUncertainty) {
+    ASSERT_TRUE(type(0, Section::symbol, "l_S"));
+    ASSERT_TRUE(type(0, Section::estimate, "50.000 623(25) mm"));
+    EXPECT_DOUBLE_EQ(std::get<double>(stored(0, "value")), 50.000623);
+    EXPECT_EQ(std::get<std::string>(stored(0, "unit")), "mm");
+    EXPECT_EQ(std::get<std::string>(stored(0, "statement")), "standard");
+    EXPECT_DOUBLE_EQ(std::get<double>(stored(0, "a")), 0.000025);
+    ASSERT_TRUE(type(0, Section::estimate, "50.5(0.2)"));
+    EXPECT_DOUBLE_EQ(std::get<double>(stored(0, "value")), 50.5);
+    EXPECT_DOUBLE_EQ(std::get<double>(stored(0, "a")), 0.2);
+    ASSERT_TRUE(type(0, Section::estimate, "5(1) cm"));
+    EXPECT_DOUBLE_EQ(std::get<double>(stored(0, "value")), 50.0) << "in the unit of the row";
+    EXPECT_DOUBLE_EQ(Unit::parse(std::get<std::string>(stored(0, "stated_unit")))
+                         ->interval_to_si(std::get<double>(stored(0, "a"))),
+                     0.01);
+    type(0, Section::estimate, "5(1) s");
+    EXPECT_FALSE(problem(0, Section::estimate).isEmpty());
+    EXPECT_DOUBLE_EQ(Unit::parse(std::get<std::string>(stored(0, "stated_unit")))
+                         ->interval_to_si(std::get<double>(stored(0, "a"))),
+                     0.01)
+        << "nothing of it is taken";
+}
+
 TEST_F(BudgetSheetModelTest, AListGivesItsRowTheUnit) {
     type(0, Section::symbol, "a");
     type(0, Section::stated, "10.12; 10.15; 10.11 mm");
