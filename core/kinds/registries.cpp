@@ -22,6 +22,7 @@
 #include "core/kinds/robot/model.h"
 #include "core/kinds/robot_identification/from_poses_model.h"
 #include "core/kinds/robot_identification/from_trajectories_model.h"
+#include "core/kinds/sheets/history_model.h"
 #include "core/kinds/sheets/models.h"
 #include "core/kinds/sheets/robot_poses_model.h"
 #include "core/kinds/sheets/tracker_tests_model.h"
@@ -45,7 +46,8 @@ const std::vector<ModelDescriptor>& model_registry() {
         robot_pose_model(),           robot_circle_points_model(), robot_calibration_model(),
         force_channels_model(),       force_loads_model(),         measurement_equation_model(),
         calibration_curve_model(),    group_observations_model(),  distance_meter_model(),
-        theodolite_model(),           robot_poses_model(),         tracker_tests_model()};
+        theodolite_model(),           robot_poses_model(),         tracker_tests_model(),
+        history_model()};
     return models;
 }
 
