@@ -343,7 +343,10 @@ const std::vector<AnalysisTemplate>& analysis_templates() {
          "robot-performance", "five-poses"},
         {Topic::points, "Acceptance test of a tracker",
          "Two-face and length tests against their limits, with the uncertainty of the test.", "tracker-test",
-         "acceptance"}};
+         "acceptance"},
+        {Topic::equation, "History of an instrument",
+         "Drift from as-found values, the component for its next use, its next calibration.",
+         "instrument-history", "drift"}};
     return templates;
 }
 
