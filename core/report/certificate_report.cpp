@@ -220,6 +220,7 @@ ReportDocument build_certificate(const MadeProject& made, const std::vector<Eval
     if (auto logo = certificate_logo(made.project())) document.logo = *std::move(logo);
     const Blocks conformity = conformity_of(source, shown, in);
     FactsBlock review;
+    review.literal = true;
     add_review(review, made.project(), in);
     const bool released = release_status(made.project()).state == ReleaseState::released;
     // A draft says so at its head; who released a certificate stands where it is signed.

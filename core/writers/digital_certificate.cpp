@@ -123,7 +123,8 @@ private:
     void write_statements(xml_node statements) const {
         for (const auto member : {&C::place, &C::specification, &C::condition, &C::deviations,
                                   &C::traceability, &C::adjustment, &C::remarks, &C::reasons}) {
-            if (is_blank(certificate_.*member)) continue;
+            const bool of_amendment = member == &C::reasons;
+            if (is_blank(certificate_.*member) || (of_amendment && is_blank(certificate_.replaces))) continue;
             xml_node statement = statements.append_child("dcc:statement");
             add_name(statement, certificate_field(member).title);
             add_contents(statement.append_child("dcc:declaration"), certificate_.*member);

@@ -122,10 +122,20 @@ TEST(Certificate, NothingIsCalibratedBeforeItIsThere) {
 TEST(Certificate, DatesInTheWrongOrderAreWarnedOf) {
     Certificate certificate = full_certificate();
     certificate.issued = "2026-04-16";
+    certificate.replaced_issued = "2026-04-15";
     Problems problems;
     check_certificate(certificate, problems);
     EXPECT_FALSE(problems.has_errors()) << "such a project can be opened";
     EXPECT_EQ(problems.items().size(), 1U);
+}
+
+TEST(Certificate, AnAmendedOneHasItsOwnNumberAndComesLater) {
+    EXPECT_EQ(problems_with(&Certificate::replaces, "K-1"), "");
+    EXPECT_NE(problems_with(&Certificate::replaces, full_certificate().number).find("a number of its own"),
+              std::string::npos);
+    EXPECT_NE(
+        problems_with(&Certificate::replaced_issued, "2026-04-21").find("before the one that it replaces"),
+        std::string::npos);
 }
 
 TEST(Certificate, FormsGroupTheFieldsThatFilesHave) {

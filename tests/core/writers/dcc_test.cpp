@@ -35,6 +35,7 @@ Certificate full_certificate() {
     certificate.received = "2026-04-16";
     certificate.calibrated = "2026-04-17/2026-04-18";
     certificate.issued = "2026-04-20";
+    certificate.replaced_issued = "2026-04-18";
     return certificate;
 }
 
