@@ -22,6 +22,8 @@ struct Definition {
 const std::vector<Definition>& definitions() {
     static const std::vector<Definition> all{
         {{"certificate", "what a calibration certificate says beside its results"}, "certificate"},
+        {{"review", "who prepared, checked and released it, and what was released"}, "review"},
+        {{"amendment", "what the certificate stated that this one replaces"}, "amendment"},
         {{"report", "what goes into the report"}, "report"},
         {{"results", "units, digits and k of all results"}, "results"},
         {{"links", "input quantities taken from other analyses"}, "link"},

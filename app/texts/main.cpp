@@ -22,6 +22,7 @@
 #include "core/project/option_fields.h"
 #include "core/project/report_contents.h"
 #include "core/project/requirement_fields.h"
+#include "core/project/review.h"
 #include "core/propagation/engine.h"
 #include "core/quantity/distribution.h"
 #include "core/quantity/statement_text.h"
@@ -133,6 +134,10 @@ void say_parts_of_project(TextList& list) {
     for (const AssetCertificateText& text : asset_certificate_texts()) {
         list.say("Field of a certificate that figures come from", text.title);
         list.say(std::string("Help on ") + text.title, text.help);
+    }
+    for (const ReviewStepField& step : review_steps()) {
+        list.say("Step of the review of a project", step.title);
+        list.say(std::string("Help on ") + step.title, step.help);
     }
     for (const FiguresFromWord& word : figures_from_words())
         list.say_word("What figures come from", word.title);

@@ -68,6 +68,13 @@ fs::path folder_of_examples() {
     fs::copy_file(readers / "sa-groups.txt", folder / "jig.txt");
     fs::copy(source / "docs/three-years/2025", folder / "archive");
     fs::copy_file(source / "docs/three-years/standard/2026-as-found.covaria", folder / "new.covaria");
+    const std::string gauge = shipped_project("certificate-gauge-block.covaria").string();
+    fs::copy_file(gauge, folder / "corrected.covaria");
+    for (const std::vector<std::string>& made :
+         {std::vector<std::string>{"report", gauge, "--certificate", "-o", (folder / "issued.pdf").string()},
+          {"release", gauge, "--prepared", "A", "--checked", "B", "--released", "C", "-o",
+           (folder / "order.covaria").string()}})
+        EXPECT_EQ(run_program(made).status, 0) << made.front();
     write_text(folder / "points.csv", "P,1,2,3,0.001,a\nQ,4,5,6,0.001,b\n");
     write_text(
         folder / "arm.urdf",
