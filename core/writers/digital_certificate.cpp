@@ -18,6 +18,35 @@ namespace {
 using C = Certificate;
 using pugi::xml_node;
 
+/// The words for uncertainties: data have no "±" that U could stand after.
+std::string uncertainty_words(const UncertaintyResult& result) {
+    const std::string by = result.trials == 0
+                               ? "The standard uncertainty was determined by the law of propagation of "
+                                 "uncertainty in accordance with JCGM 100."
+                               : "The distribution was determined by the propagation of distributions in "
+                                 "accordance with JCGM 101.";
+    switch (expanded_by(result)) {
+        case ExpandedBy::fixed_factor:
+            return "The expanded uncertainty is the standard uncertainty multiplied by the fixed "
+                   "coverage "
+                   "factor; the coverage probability is that of the interval of this half-width about "
+                   "the value.\n" +
+                   by;
+        case ExpandedBy::interval:
+            return "The expanded uncertainty is half the width of the probabilistically symmetric "
+                   "coverage interval of the coverage probability; the coverage factor is its ratio to "
+                   "the standard uncertainty.\n" +
+                   by;
+        case ExpandedBy::degrees_of_freedom:
+            break;
+    }
+    return "The expanded uncertainty is the standard uncertainty multiplied by the coverage factor, "
+           "which "
+           "for a normal distribution, or for a t distribution of the effective degrees of freedom where "
+           "they are stated, corresponds to the coverage probability.\n" +
+           by;
+}
+
 class DccWriter {
 public:
     explicit DccWriter(const WriterSource& source)
@@ -129,35 +158,6 @@ private:
             add_name(statement, certificate_field(member).title);
             add_contents(statement.append_child("dcc:declaration"), certificate_.*member);
         }
-    }
-
-    /// The words for uncertainties: data have no "±" that U could stand after.
-    static std::string uncertainty_words(const UncertaintyResult& result) {
-        const std::string by = result.trials == 0
-                                   ? "The standard uncertainty was determined by the law of propagation of "
-                                     "uncertainty in accordance with JCGM 100."
-                                   : "The distribution was determined by the propagation of distributions in "
-                                     "accordance with JCGM 101.";
-        switch (expanded_by(result)) {
-            case ExpandedBy::fixed_factor:
-                return "The expanded uncertainty is the standard uncertainty multiplied by the fixed "
-                       "coverage "
-                       "factor; the coverage probability is that of the interval of this half-width about "
-                       "the value.\n" +
-                       by;
-            case ExpandedBy::interval:
-                return "The expanded uncertainty is half the width of the probabilistically symmetric "
-                       "coverage interval of the coverage probability; the coverage factor is its ratio to "
-                       "the standard uncertainty.\n" +
-                       by;
-            case ExpandedBy::degrees_of_freedom:
-                break;
-        }
-        return "The expanded uncertainty is the standard uncertainty multiplied by the coverage factor, "
-               "which "
-               "for a normal distribution, or for a t distribution of the effective degrees of freedom where "
-               "they are stated, corresponds to the coverage probability.\n" +
-               by;
     }
 
     /// Writes the method of the calibration, then that of the uncertainties; and the conditions.

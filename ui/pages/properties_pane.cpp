@@ -56,6 +56,25 @@ std::optional<AnalysisGroup> group_of_place(const std::string& path, const std::
     return std::nullopt;
 }
 
+/// Text where no entry is selected.
+QString hint_in(const Project& project) {
+    return project.assets.empty() && project.analyses.empty()
+               ? PropertiesPane::tr(
+                     "The project is empty. Add an analysis, or first what it uses, with the "
+                     "plus sign above or a right click in the project tree.")
+               : PropertiesPane::tr("Select an entry of the project tree to see its properties.");
+}
+
+ReviewForm* add_review(Document& document, FoldGroups& groups) {
+    auto* form = new ReviewForm(document);
+    set_help_place(*form, QStringLiteral("release-review-and-release"));
+    const int group = groups.add(form, PropertiesPane::tr("Review"));
+    QObject::connect(form, &ReviewForm::summary_changed, &groups,
+                     [&groups, group](const QString& words) { groups.set_summary(group, words); });
+    form->show_state();
+    return form;
+}
+
 }  // namespace
 
 PropertiesPane::PropertiesPane(Document& document, AnalysisRunner& runner, Selection& selection,
@@ -99,7 +118,7 @@ void PropertiesPane::rebuild() {
 }
 
 void PropertiesPane::add_hint() {
-    hint_ = new QLabel(hint());
+    hint_ = new QLabel(hint_in(document_.project()));
     hint_->setWordWrap(true);
     hint_->setMargin(16);
     hint_->setAlignment(Qt::AlignTop);
@@ -126,14 +145,6 @@ void PropertiesPane::add_entry_pages(const SetupAddress& entry) {
     groups_->add(new NotesPage(document_, entry), tr("Notes"));
 }
 
-/// Text where no entry is selected.
-QString PropertiesPane::hint() const {
-    return document_.project().assets.empty() && document_.project().analyses.empty()
-               ? tr("The project is empty. Add an analysis, or first what it uses, with the "
-                    "plus sign above or a right click in the project tree.")
-               : tr("Select an entry of the project tree to see its properties.");
-}
-
 /// Ends the help on a field of a group that was left.
 void PropertiesPane::start_help() {
     const QWidget* focused = QApplication::focusWidget();
@@ -157,12 +168,7 @@ void PropertiesPane::add_project_pages() {
     forms_.certificate = new CertificateForm(document_);
     set_help_place(*forms_.certificate, QStringLiteral("certificate"));
     groups_->add(forms_.certificate, tr("Certificate"), true);
-    forms_.review = new ReviewForm(document_);
-    set_help_place(*forms_.review, QStringLiteral("release-review-and-release"));
-    const int review = groups_->add(forms_.review, tr("Review"));
-    connect(forms_.review, &ReviewForm::summary_changed, groups_,
-            [groups = groups_, review](const QString& words) { groups->set_summary(review, words); });
-    forms_.review->show_state();
+    forms_.review = add_review(document_, *groups_);
     groups_->add(new ReportForm(document_), tr("Report"));
 }
 
@@ -202,7 +208,7 @@ void PropertiesPane::summarise() {
 
 void PropertiesPane::discard_if_gone() {
     if (forms_.setup && !find_setup(document_.project(), forms_.setup->address())) rebuild();
-    if (hint_) hint_->setText(hint());  // entries come and go with undo, too
+    if (hint_) hint_->setText(hint_in(document_.project()));  // entries come and go with undo, too
 }
 
 /// Shows the field selected elsewhere; the keyboard stays where it is.

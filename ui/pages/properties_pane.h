@@ -78,7 +78,6 @@ private:
     void go_to_field(const QString& path);
     void scroll_to_focus();
     void rebuild();
-    QString hint() const;
     void add_project_pages();
     void add_entry_pages(const SetupAddress& entry);
     void add_hint();
