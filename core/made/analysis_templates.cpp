@@ -346,7 +346,7 @@ const std::vector<AnalysisTemplate>& analysis_templates() {
          "acceptance"},
         {Topic::equation, "History of an instrument",
          "Drift from as-found values, the component for its next use, its next calibration.",
-         "instrument-history", "drift"}};
+         "gauge-block-history", "drift"}};
     return templates;
 }
 

@@ -154,7 +154,7 @@ ModelDescriptor history_model() {
         "value on a date of use: the instrument may lie off its line as it did before.",
         "A year has 365.25 days."};
     d.help_page = "instrument-history.md";
-    d.example = "instrument-history.covaria";
+    d.example = "gauge-block-history.covaria";
     d.schema = sheets::history_fields().schema();
     d.create = create_history;
     return d;

@@ -21,7 +21,7 @@ std::vector<SetupCell> calibration(const char* date, double found, SetupCell lef
     return {std::string(date), found, std::move(left), std::move(u)};
 }
 
-/// The gauge block of projects/instrument-history.covaria, nm.
+/// The gauge block of projects/gauge-block-history.covaria, nm.
 covaria::Setup gauge_history() {
     covaria::Setup setup;
     SetupTable table;
