@@ -47,7 +47,7 @@ const std::vector<ModelDescriptor>& model_registry() {
         force_channels_model(),       force_loads_model(),         measurement_equation_model(),
         calibration_curve_model(),    group_observations_model(),  distance_meter_model(),
         theodolite_model(),           robot_poses_model(),         tracker_tests_model(),
-        history_model()};
+        history_model(),              force_proving_model()};
     return models;
 }
 

@@ -8,5 +8,6 @@ namespace covaria {
 
 ModelDescriptor distance_meter_model();
 ModelDescriptor theodolite_model();
+ModelDescriptor force_proving_model();
 
 }  // namespace covaria

@@ -105,7 +105,8 @@ private:
 };
 
 IndexReadings index_of(const std::vector<double>& readings) {
-    IndexReadings index{.count = readings.size()};
+    IndexReadings index;
+    index.count = readings.size();
     if (readings.empty()) return index;
     for (const double i : readings) index.mean += i / double(readings.size());
     for (const double i : readings) index.scatter.squares += (i - index.mean) * (i - index.mean);
