@@ -28,14 +28,16 @@ import geometry
 import groups
 import networks
 import poses
+import proving
 import robots
+import rounds
 from dual import Dual
 from units import exact, factor, si
 
 MODELS = {"measurement-equation": equations.evaluate, "pose-from-points": poses.evaluate, "network-adjustment": networks.evaluate,
           "calibration-curve": curves.evaluate, "observations-in-groups": groups.evaluate, "geometry-from-points": geometry.evaluate,
           "feature-relations": geometry.relations, "distance-meter-baseline": baselines.evaluate, "robot-pose": robots.evaluate,
-          "tcp-from-ballbars": ballbars.evaluate}
+          "tcp-from-ballbars": ballbars.evaluate, "theodolite-rounds": rounds.evaluate, "force-proving-instrument": proving.evaluate}
 BOUND = mp.mpf("1e-9")
 
 
