@@ -220,7 +220,7 @@ TEST(ForceProving, MonteCarloAgrees) {
 }
 
 // With t draws and nothing but rotations the half width of the interval is t_.975(2) u = 4.3027 u. The
-// standard error of a quantile is sqrt(p (1 - p)/M) over the density: 0.0082 u^-1 at t = 4.30.
+// standard error of a quantile is sqrt(p (1 - p)/M) over the density (2 + t^2)^(-3/2).
 TEST(ForceProving, DrawsOfTheRotationsMayBeT) {
     Transducer t;
     t.again = t.machine_U = 0.0;
