@@ -42,7 +42,7 @@ class Negative(Book):
         if observations:
             numbered = len(observations[0]) == 3
             setup["observations"] = {"columns": ["quantity", "number", "value"] if numbered else ["quantity", "value"], "rows": observations}
-        entry = self.analysis(key, "measurement-equation", name, setup, options)
+        entry = self.analysis(key, "measurement-equation", name, setup, options or {"trials": 1000000})
         if correlations:
             entry["correlations"] = correlations
         return entry
@@ -329,7 +329,7 @@ def order_statistics(book):
             nested = names[0]
             for name in names[1:]:
                 nested = f"{call}({nested}, {name})"
-            e = book.equation(f"{which}-{n}", f"The {which} of {n}", [f"y = {nested}"], [[name, "limits", 0, 1] for name in names], ["symbol", "statement", "a", "b"], None, {})
+            e = book.equation(f"{which}-{n}", f"The {which} of {n}", [f"y = {nested}"], [[name, "limits", 0, 1] for name in names], ["symbol", "statement", "a", "b"])
             mean, variance = mp.mpf(n) / (n + 1), mp.mpf(n) / ((n + 1) ** 2 * (n + 2))
             raw = [mp.mpf(n) / (n + k) for k in range(5)]
             kurtosis = (raw[4] - 4 * mean * raw[3] + 6 * mean ** 2 * raw[2] - 3 * mean ** 4) / variance ** 2
