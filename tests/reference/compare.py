@@ -26,6 +26,7 @@ import equations
 import first_order
 import geometry
 import groups
+import identification
 import networks
 import poses
 import proving
@@ -37,7 +38,8 @@ from units import exact, factor, si
 MODELS = {"measurement-equation": equations.evaluate, "pose-from-points": poses.evaluate, "network-adjustment": networks.evaluate,
           "calibration-curve": curves.evaluate, "observations-in-groups": groups.evaluate, "geometry-from-points": geometry.evaluate,
           "feature-relations": geometry.relations, "distance-meter-baseline": baselines.evaluate, "robot-pose": robots.evaluate,
-          "tcp-from-ballbars": ballbars.evaluate, "theodolite-rounds": rounds.evaluate, "force-proving-instrument": proving.evaluate}
+          "tcp-from-ballbars": ballbars.evaluate, "theodolite-rounds": rounds.evaluate, "force-proving-instrument": proving.evaluate,
+          "robot-calibration": identification.evaluate}
 BOUND = mp.mpf("1e-9")
 
 

@@ -20,6 +20,7 @@ import curves
 import first_order
 import geometry
 import groups
+import identification
 import networks
 import poses
 import robots
@@ -28,7 +29,7 @@ from units import exact, factor, si
 
 mp.mp.dps = 50
 EVALUATORS = {"network-adjustment": networks.evaluate, "pose-from-points": poses.evaluate, "geometry-from-points": geometry.evaluate,
-              "feature-relations": geometry.relations, "robot-pose": robots.evaluate, "distance-meter-baseline": baselines.evaluate,
+              "feature-relations": geometry.relations, "robot-pose": robots.evaluate, "robot-calibration": identification.evaluate, "distance-meter-baseline": baselines.evaluate,
               "calibration-curve": curves.evaluate, "observations-in-groups": groups.evaluate}
 CHANGE = 1e-8
 # An angle comes from direction cosines, so that what is rounded is of the size of one radian.
