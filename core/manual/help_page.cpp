@@ -194,9 +194,7 @@ Result<HelpPage> page_of_model(const ModelDescriptor& model, const DocumentLangu
     page_words.fields(model.schema);
     page_words.list(words::notes, model.notes);
     page_words.list(words::references, texts_of(model.references));
-    if (in.code() == "en") {  // as the dossier declares it, which is in English
-        const auto scope = model_scope(model.id);
-        if (!scope) return fail(scope.error());
+    if (const auto scope = model_scope(model.id); scope && in.code() == "en") {  // the dossier is in English
         page_words.list(words::covered, scope->covered);
         page_words.list(words::not_covered, scope->not_covered);
         page.blocks.push_back(ProseBlock{{{.text = "The evidence for this model is in the dossier: "},

@@ -126,7 +126,9 @@ TEST(Verification, ComparesEveryFigureOfTheResultLine) {
             if (!check.cell) lines[{check.analysis, check.output, check.group}].insert(check.figure);
         const Project project = load_project(data_directory() / c.project).project;
         for (const auto& [output, figures] : lines) {
-            std::vector<std::string> needed = first_order_line();
+            // At a kink, as that of a maximum of equal estimates, the law of propagation gives nothing.
+            std::vector<std::string> needed;
+            if (!c.source.starts_with("order statistics")) needed = first_order_line();
             for (const AnalysisEntry& entry : project.analyses)
                 if (entry.id == std::get<0>(output) && entry.options.method != Method::first_order)
                     needed.insert(needed.end(), monte_carlo_line().begin(), monte_carlo_line().end());
