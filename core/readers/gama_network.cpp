@@ -216,7 +216,7 @@ SetupTable GamaNetwork::readings_table() const {
                   {angle ? "u_angle" : "u_length", angle ? *o.u : 1e3 * *o.u},
                   {"height_from", height(o.height_from)},
                   {"height_to", height(o.height_to)},
-                  {"face", face_two.contains(i) ? SetupCell("two") : SetupCell()}});
+                  {"face", face_two.contains(i) ? SetupCell(std::string("two")) : SetupCell()}});
     }
     return rows.table();
 }

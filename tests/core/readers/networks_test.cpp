@@ -151,6 +151,30 @@ TEST(ReadGama, ObservationsKeepUnitsDeviationsAndBands) {
     EXPECT_DOUBLE_EQ(analysis.correlations[1].coefficient, -0.25);
 }
 
+// The zenith angles tell the face of the directions beside them; both faces lead to the same place.
+TEST(ReadGama, ReadingsOfFaceTwoAreTakenAsSuch) {
+    const auto read = read_with(
+        "gama",
+        "<gama-local><network axes-xy='en' angles='left-handed'>"
+        "<points-observations direction-stdev='10' distance-stdev='2' zenith-angle-stdev='10'>"
+        "<point id='S' x='0' y='0' z='0' fix='xyz'/><point id='B' x='100' y='0' z='0' fix='xyz'/>"
+        "<point id='C' adj='xyz'/>"
+        "<obs from='S'><direction to='B' val='50'/><z-angle to='B' val='100'/>"
+        "<direction to='C' val='0.0020'/><z-angle to='C' val='91.0582'/><s-distance to='C' val='71.4143'/>"
+        "<direction to='C' val='199.9980'/><z-angle to='C' val='308.9458'/>"
+        "<direction to='B' val='250'/><z-angle to='B' val='300'/></obs>"
+        "</points-observations></network></gama-local>");
+    ASSERT_TRUE(read) << read.error().message.english();
+    EXPECT_EQ(errors_of(*read), "");
+    EXPECT_NE(all_found(*read).find("2 directions are of face two"), std::string::npos) << all_found(*read);
+    std::map<std::string, double> found;
+    for (const OutputResult& output : first_order(*read).outputs)
+        found[output.quantity.group + output.quantity.symbol] = output.estimate;
+    EXPECT_NEAR(found.at("Cx"), 50.0, 2e-4) << "the mean of both faces";
+    EXPECT_NEAR(found.at("Cy"), 50.0, 2e-4);
+    EXPECT_NEAR(found.at("Cz"), 10.0, 2e-4);
+}
+
 // x east, y north, clockwise directions; C has no coordinates, D has no height, E is not asked for.
 TEST(ReadGama, ANetworkIsAnAdjustment) {
     const auto read = read_with(
