@@ -86,7 +86,7 @@ void move_answers_figure(Blocks& from, Blocks& to) {
             return plot && plot->plot.id.find("-contributions") != std::string::npos;
         });
     if (found == from.end()) return;
-    to.push_back(std::move(*found));
+    to.insert(std::ranges::find_if(to, is_heading), std::move(*found));
     const auto next = from.erase(found);
     const auto level = [](const ReportBlock& block) {
         const auto* heading = std::get_if<HeadingBlock>(&block);

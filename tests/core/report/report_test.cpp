@@ -85,6 +85,7 @@ TEST(Report, ThePictureOfTheOnlyAnalysisIsBesideItsResults) {
     const auto of = [&](auto is) { return std::ranges::find_if(document.blocks, is); };
     const auto picture = of([](const ReportBlock& b) { return std::holds_alternative<SceneBlock>(b); });
     const auto chapter = of([](const ReportBlock& b) { return std::holds_alternative<HeadingBlock>(b); });
+    ASSERT_NE(chapter, document.blocks.end());
     ASSERT_NE(picture, document.blocks.end());
     EXPECT_LT(picture, chapter);
     EXPECT_EQ(std::get<SceneBlock>(*picture).caption.rfind("Figure 1.", 0), 0U);
