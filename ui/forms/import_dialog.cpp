@@ -26,7 +26,9 @@ namespace covaria::ui {
 
 namespace {
 
-constexpr int left_out_role = Qt::UserRole, row_role = Qt::UserRole + 1;  // stored with the head of a row
+// Roles of the head of a row.
+constexpr int left_out_role = Qt::UserRole;
+constexpr int row_role = Qt::UserRole + 1;
 
 /// Message with the line of the error, as the command line prints it.
 QString words_of(const Error& error) {

@@ -15,7 +15,7 @@ namespace covaria::ui {
 
 /// Ground of a cell or field whose text is not taken, laid over the usual one.
 inline QColor refused_ground() {
-    return {213, 94, 0, 60};
+    return QColor(213, 94, 0, 60);
 }
 
 /// The colours of everything in the window. Inks reach a contrast of 4.5 on every ground.
