@@ -1,6 +1,7 @@
 // The choice of columns and rows of a result.
 #include "ui/models/result_table_model.h"
 
+#include <QGuiApplication>
 #include <algorithm>
 
 #include "core/propagation/requirements.h"
@@ -165,6 +166,7 @@ QVariant ResultTableModel::data(const QModelIndex& index, int role) const {
         if (role == typeset_role || role == exact_role) return {};
         if (role == Qt::ToolTipRole) return refused->complaint;
         if (role == Qt::BackgroundRole) return refused_ground();
+        if (role == Qt::ForegroundRole) return Theme::of(QGuiApplication::palette()).tokens().red;
     }
     if (role == Qt::EditRole) return typed_text(output_of(index.row()), *field);
     return ColumnTableModel::data(index, role);
