@@ -4,6 +4,9 @@
 #include <QDir>
 #include <QLabel>
 #include <QMenu>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QWheelEvent>
 
 #include "tests/ui/main_window/session_fixture.h"
 #include "ui/models/roles.h"
@@ -64,6 +67,31 @@ TEST_F(ProjectPageSession, WhatTheProjectStatesIsObeyedAndUndone) {
     while (window_->document().undo_stack().canUndo()) window_->document().undo_stack().undo();
     EXPECT_EQ(bytes(), before);
     ASSERT_TRUE(wait_for([this] { return cell_of("Unit") == QStringLiteral("mm"); }));
+}
+
+TEST_F(ProjectPageSession, TheWheelScrollsThePageAndChangesNothing) {
+    open(project_copy());
+    window_->selection().select_entry(project_address);
+    show_group(QStringLiteral("Project"));
+    const std::string before = bytes();
+    auto* lengths = field<QComboBox>("lengths");
+    settle();
+    QScrollArea* area = nullptr;
+    for (QWidget* above = lengths->parentWidget(); above && !area; above = above->parentWidget())
+        area = qobject_cast<QScrollArea*>(above);
+    ASSERT_NE(area, nullptr);
+    area->verticalScrollBar()->setValue(0);
+    ASSERT_GT(area->verticalScrollBar()->maximum(), 0);
+    for (int notch = 0; notch < 3; ++notch) {
+        const QPointF at = lengths->rect().center();
+        QWheelEvent turned(at, lengths->mapToGlobal(at), {}, {0, -120}, Qt::NoButton, Qt::NoModifier,
+                           Qt::NoScrollPhase, false);
+        QApplication::sendEvent(lengths, &turned);
+    }
+    settle();
+    EXPECT_EQ(bytes(), before);
+    EXPECT_FALSE(lengths->hasFocus());
+    EXPECT_GT(area->verticalScrollBar()->value(), 0);
 }
 
 TEST_F(ProjectPageSession, UnitsThatAreShownCanBeThoseOfItsDocuments) {
