@@ -49,9 +49,12 @@ Result<void> change(Project& project, const ReleaseArguments& arguments) {
         return problems.has_errors() ? Result<void>(fail(ErrorCode::bad_input, first_error(problems, "")))
                                      : Result<void>{};
     }
+    // After a change the release is a new one, of that day, by whomever.
+    ReviewStep& released = project.review.released;
+    if (release_status(project).state == ReleaseState::changed) released.date = date;
     take_step(project.review.prepared, arguments.prepared, date);
     take_step(project.review.checked, arguments.checked, date);
-    take_step(project.review.released, arguments.released, date);
+    take_step(released, arguments.released, date);
     return release(project);
 }
 

@@ -164,7 +164,11 @@ TEST_F(Amended, IsMadeOfTheIssuedPdfAndCarriesItsProject) {
 }
 
 TEST_F(Amended, IsRefusedWhereItsReferenceWouldBeNone) {
-    const std::string to = (folder / "amended.covaria").string(), plain = gauge;
+    const std::string to = (folder / "amended.covaria").string();
+    const std::string plain = (folder / "plain.covaria").string(), number = "\"number\": \"L-2026-0417\",";
+    std::string without = read_text(certificate);
+    without.erase(without.find(number), number.size());
+    write_text(plain, without);
     const auto status = [&](std::vector<std::string> arguments) { return run_program(arguments).status; };
     EXPECT_EQ(status(amend(plain, to)), 1) << "the one to replace has no number";
     EXPECT_EQ(

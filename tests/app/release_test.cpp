@@ -143,7 +143,9 @@ TEST_F(Released, ALineOfTheLogLeavesItReleased) {
     std::string text = read_text(project);
     replace_in(text, digit, another);
     write_text(project, text);
-    EXPECT_EQ(run_program({"release", project.string()}).status, 0) << "the names are there";
+    const Outcome again = run_program({"release", project.string(), "--date", "2026-12-01"});
+    EXPECT_EQ(again.status, 0) << "the names are there";
+    EXPECT_TRUE(has(again.out, "released by C. Cole on 2026-12-01")) << again.out;
     EXPECT_TRUE(has(read_text(project), "Released, digest "));
 }
 
