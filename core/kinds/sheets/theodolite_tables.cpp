@@ -1,5 +1,7 @@
 // Tables and charts of the sheet of a theodolite beside its results: tests, series, readings.
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/kinds/sheets/theodolite_fit.h"
 #include "core/kinds/sheets/verdict.h"
@@ -111,22 +113,54 @@ Table series_table(const TheodoliteFit& fit) {
     return table;
 }
 
-Table rounds_table(const TheodoliteSetup& setup, const TheodoliteFit& fit) {
-    Table table{"readings", "Readings and their residuals"};
-    for (const char* head : {"series", "set", "target"}) table.add(head);
-    table.add(known_text<"residual Hz">()).in(sheet_arcsec).fixed(2);
-    table.add(known_text<"residual V">()).in(sheet_arcsec).fixed(2);
-    table.add(known_text<"index">()).in(sheet_arcsec).fixed(2);
-    const auto cell = [](const std::optional<double>& residual) {
-        return residual ? Cell(*residual) : Cell();
-    };
-    for (std::size_t i = 0; i < setup.readings.size(); ++i) {
-        const FaceReadings& r = setup.readings[i];
-        table.row({r.series, r.set, r.target, cell(fit.direction_residuals[i]), cell(fit.zenith_residuals[i]),
-                   r.has_zeniths() ? Cell(r.index()) : Cell()});
+constexpr std::size_t targets_abreast = 8;  ///< as many columns as a page takes
+
+/// Residuals as a field book has them: a row for each set, a column for each target; more tables where there
+/// are more targets than a page takes.
+class ResidualTables {
+public:
+    ResidualTables(const TheodoliteSetup& setup, const std::vector<std::optional<double>>& residuals)
+        : setup_(setup), residuals_(residuals) {
+        for (std::size_t i = 0; i < residuals.size(); ++i) {
+            if (!residuals[i]) continue;
+            const FaceReadings& r = setup.readings[i];
+            if (std::ranges::find(targets_, r.target) == targets_.end()) targets_.push_back(r.target);
+            const std::pair set{r.series, r.set};
+            if (std::ranges::find(sets_, set) == sets_.end()) sets_.push_back(set);
+        }
     }
-    return table;
-}
+
+    void add_to(std::vector<Table>& tables, const std::string& id, const char* title) const {
+        for (std::size_t begin = 0; begin < targets_.size(); begin += targets_abreast) {
+            Table table{begin == 0 ? id : id + "-" + std::to_string(begin / targets_abreast + 1), title};
+            table.add("series");
+            table.add("set");
+            const std::size_t end = std::min(begin + targets_abreast, targets_.size());
+            for (std::size_t t = begin; t < end; ++t) table.add(targets_[t]).in(sheet_arcsec).fixed(2);
+            for (const auto& [series, set] : sets_) {
+                std::vector<Cell> cells{series, set};
+                for (std::size_t t = begin; t < end; ++t) cells.push_back(cell(series, set, targets_[t]));
+                table.row(std::move(cells));
+            }
+            tables.push_back(std::move(table));
+        }
+    }
+
+private:
+    Cell cell(const std::string& series, const std::string& set, const std::string& target) const {
+        for (std::size_t i = 0; i < residuals_.size(); ++i) {
+            const FaceReadings& r = setup_.readings[i];
+            if (residuals_[i] && r.series == series && r.set == set && r.target == target)
+                return *residuals_[i];
+        }
+        return {};
+    }
+
+    const TheodoliteSetup& setup_;
+    const std::vector<std::optional<double>>& residuals_;
+    std::vector<std::string> targets_;
+    std::vector<std::pair<std::string, std::string>> sets_;
+};
 
 PlotSpecification residuals_plot(const char* id, const char* title,
                                  const std::vector<std::optional<double>>& residuals, double s) {
@@ -152,7 +186,12 @@ PlotSpecification residuals_plot(const char* id, const char* title,
 }  // namespace
 
 std::vector<Table> theodolite_tables(const TheodoliteSetup& setup, const TheodoliteFit& fit) {
-    return {theodolite_sheet(fit), theodolite_tests(setup, fit), series_table(fit), rounds_table(setup, fit)};
+    std::vector<Table> tables{theodolite_sheet(fit), theodolite_tests(setup, fit), series_table(fit)};
+    ResidualTables(setup, fit.direction_residuals)
+        .add_to(tables, "directions", "Residuals of the directions");
+    ResidualTables(setup, fit.zenith_residuals)
+        .add_to(tables, "zenith-angles", "Residuals of the zenith angles");
+    return tables;
 }
 
 std::vector<PlotSpecification> theodolite_figures(const TheodoliteFit& fit) {

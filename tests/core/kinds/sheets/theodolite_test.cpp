@@ -149,6 +149,23 @@ TEST(TheodoliteRounds, FiguresThatAreKnown) {
     EXPECT_NEAR(first_order(*model, "s_V").estimate / second, std::sqrt((2 * 9.0 + 2 * 16.0) / 2.0), 1e-8);
     EXPECT_NEAR(first_order(*model, "delta").estimate / second, 0.0, 1e-8);
     EXPECT_NEAR(first_order(*model, "s_Hz").standard_uncertainty / second, std::sqrt(2.0), 1e-8);
+    const Table left = table_of(model->evaluation(), "directions");
+    ASSERT_EQ(left.rows, 2u);
+    for (std::size_t set = 0; set < 2; ++set)
+        for (std::size_t target = 0; target < 2; ++target)
+            EXPECT_NEAR(value(left.columns[2 + target].cell(set)) / second, set == target ? -1.0 : 1.0, 1e-8);
+}
+
+// Ten targets do not stand abreast: a second table has the last two.
+TEST(TheodoliteRounds, ManyTargetsTakeMoreTables) {
+    Campaign c;
+    c.targets = 10;
+    const auto tables = made(theodolite, setup_of(c.readings(1)))->evaluation();
+    EXPECT_EQ(table_of(tables, "directions").columns.size(), 2u + 8u);
+    const Table rest = table_of(tables, "directions-2");
+    EXPECT_EQ(rest.columns.size(), 2u + 2u);
+    EXPECT_EQ(rest.rows, 12u);
+    EXPECT_EQ(rest.columns[3].key, "T9");
 }
 
 // Collimation and index leave the means of both faces, and the circle may be turned and pass zero.
