@@ -50,7 +50,8 @@ public:
             design(i, sets + Eigen::Index(targets_[k])) = 1.0;
             misclosure[i] = on_circle(values_[k] - started(k));
         }
-        const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> factor(design);
+        // Orientations and directions may turn together: the rank is one less than the unknowns.
+        const Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> factor(design);
         const Eigen::VectorXd changes = factor.solve(misclosure);
         const Eigen::VectorXd left = design * changes - misclosure;
         for (Eigen::Index i = 0; i < n; ++i) {
