@@ -53,7 +53,7 @@ void add_summary(Blocks& blocks, const std::vector<CheckedCase>& cases, const Pr
         {"printed digits: it lies within half of the last digit that the source prints, or the table says "
          "why "
          "the source differs;",
-         "10 κ ε: it differs from its reference by at most ten times its condition number κ times ε = 2⁻⁵². "
+         "10κε: it differs from its reference by at most ten times its condition number κ times ε = 2⁻⁵². "
          "κ "
          "is the largest change of the figure in eight evaluations with all typed numbers changed by a "
          "relative "

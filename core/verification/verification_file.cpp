@@ -78,7 +78,7 @@ void add_line(const Json& json, std::vector<VerificationCheck>& checks) {
     one.analysis = json.at("analysis");
     one.output = json.at("output");
     one.group = json.value("group", "");
-    one.unit = Unit::parse(json.value("unit", "1")).value();
+    const Unit unit = Unit::parse(json.value("unit", "1")).value();
     const Json& line = json.at("line");
     const double of_u = json.at("condition"), of_estimate = json.value("estimateCondition", of_u),
                  of_k = json.value("quantileCondition", 1.0), scale = json.at("scale"),
@@ -94,6 +94,7 @@ void add_line(const Json& json, std::vector<VerificationCheck>& checks) {
     for (const std::string& figure : first_order_line()) {
         one.what = words.at(figure) + ", " + json.value("what", one.output);
         one.figure = figure;
+        one.unit = figure == "k" || figure == "degrees-of-freedom" ? Unit{} : unit;
         one.reference = number(line, figure.c_str());
         std::tie(one.condition, one.scale) = conditions.at(figure);
         checks.push_back(one);

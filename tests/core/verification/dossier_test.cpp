@@ -98,7 +98,7 @@ TEST(Dossier, TheToleranceIsTenConditionsOfTheLastBit) {
         const double scale = check.scale > 0.0 ? check.scale : std::abs(*check.reference);
         EXPECT_DOUBLE_EQ(figure.tolerance,
                          10.0 * check.condition * std::numeric_limits<double>::epsilon() * scale);
-        EXPECT_EQ(pass_rule(figure), "10 κ ε");
+        EXPECT_EQ(pass_rule(figure), "10κε");
         EXPECT_EQ(figure.model, "network-adjustment");
     }
 }
