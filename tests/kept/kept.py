@@ -63,14 +63,14 @@ def main(program, write):
         (FOLDER / "changes.json").write_text("[]\n")
         return 0
     kept, listed = json.loads((FOLDER / "results.json").read_text()), json.loads((FOLDER / "changes.json").read_text())
-    changed = [name for name in {**kept, **now} if name not in kept or name not in now or not same(kept[name], now[name])]
+    changed = [name for name in kept if name not in now or not same(kept[name], now[name])]
     unsaid = [name for name in changed if not any(fnmatch.fnmatchcase(name, one["what"]) and one["cause"] for one in listed)]
     idle = [one["what"] for one in listed if not fnmatch.filter(changed, one["what"])]
     for name in unsaid:
         print(f"{name}: kept {kept.get(name)}, now {now.get(name)}")
     for what in idle:
         print(f"changes.json says that {what} changed; it did not")
-    print(f"{len(kept)} results kept, {len(changed)} changed, {len(unsaid)} of them without a cause")
+    print(f"{len(kept)} results kept, {len(changed)} changed, {len(unsaid)} of them without a cause; {len(set(now) - set(kept))} new ones, not kept yet")
     return 1 if unsaid or idle else 0
 
 
