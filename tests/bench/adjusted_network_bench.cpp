@@ -18,8 +18,10 @@ namespace {
 using namespace covaria;
 using namespace covaria::network;
 
-/// A hall of 20 m x 16 m, four of its targets known; others with approximate coordinates or without.
-StatedAdjustment stated_hall(std::size_t stations, std::size_t targets, bool approximate = true) {
+/// A hall of 20 m x 16 m, four of its targets known; others with approximate coordinates or without. Each
+/// target but those is sighted from `seen_by` stations.
+StatedAdjustment stated_hall(std::size_t stations, std::size_t targets, bool approximate = true,
+                             std::size_t seen_by = 1000) {
     StatedAdjustment stated;
     std::vector<Eigen::Vector3d> at;
     const auto add = [&](const std::string& name, const Eigen::Vector3d& p, CoordinateRole role) {
@@ -38,6 +40,7 @@ StatedAdjustment stated_hall(std::size_t stations, std::size_t targets, bool app
     const auto next = [&] { return (noise = std::fmod(noise * 997.13 + 0.317, 1.0)) - 0.5; };
     for (std::size_t s = 0; s < stations; ++s)
         for (std::size_t t = 0; t < targets; ++t) {
+            if (t >= 4 && (s + t) % stations >= seen_by) continue;
             const Eigen::Vector3d v = at[stations + t] - at[s];
             const std::string &from = stated.points[s].name, &to = stated.points[stations + t].name;
             const auto read = [&](ReadingKind kind, double value) {
@@ -67,12 +70,12 @@ double peak_megabytes() {
 
 /// Adjusts a table, and computes the u of every coordinate.
 void adjust_and_all_u(benchmark::State& state) {
-    const StatedAdjustment stated =
+    StatedAdjustment stated =
         stated_hall(static_cast<std::size_t>(state.range(0)), static_cast<std::size_t>(state.range(1)),
-                    state.range(2) == 1);
+                    state.range(2) == 1, static_cast<std::size_t>(state.range(3)));
     for (auto _ : state) {
         Problems problems;
-        const std::optional<AdjustedNetwork> made = adjust_stated(stated, problems);
+        const std::optional<AdjustedNetwork> made = adjust_stated(std::move(stated), problems);
         if (!made) return state.SkipWithError("not adjusted");
         double sum = 0.0;
         for (std::size_t k = 0; k < made->place_of.size(); ++k)
@@ -83,11 +86,12 @@ void adjust_and_all_u(benchmark::State& state) {
     state.SetLabel(state.range(2) == 1 ? "approximate coordinates" : "no coordinates");
 }
 BENCHMARK(adjust_and_all_u)
-    ->Args({30, 250, 1})
-    ->Args({30, 1000, 1})
-    ->Args({30, 1000, 0})
-    ->Args({30, 4000, 1})
-    ->Args({100, 10000, 1})
+    ->Args({30, 250, 1, 30})
+    ->Args({30, 1000, 1, 30})
+    ->Args({30, 1000, 0, 30})
+    ->Args({30, 4000, 1, 30})
+    ->Args({100, 10000, 1, 10})
+    ->Args({100, 10000, 1, 100})
     ->Iterations(1)
     ->Unit(benchmark::kMillisecond);
 
