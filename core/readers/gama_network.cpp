@@ -57,24 +57,28 @@ void take_over(const GamaParameters& parameters, double least_u_of_angle, Setup&
                  "seen, one factor s_0">());
 }
 
-/// Numbers of the directions of face two. A file does not say the face; the first direction of a sight in its
-/// cluster is in that of the sight's first zenith angle there, the second in that of the second, and so on.
-std::set<std::size_t> directions_of_face_two(const std::vector<const GamaObserved*>& all) {
+/// The observations with the faces of directions. A file does not say the face; the first direction of a
+/// sight in its cluster is in that of the sight's first zenith angle there, the second in that of the second.
+std::vector<GamaObserved> with_faces(std::vector<GamaObserved> observed, Proposals& proposals) {
     constexpr double half_turn = 200.0;  // gon
     using Sight = std::array<std::string, 3>;
     std::map<Sight, std::vector<bool>> faces;
-    for (const GamaObserved* o : all)
-        if (o->kind == "zenith-angle") faces[{o->from, o->to, o->round}].push_back(o->value > half_turn);
+    for (const GamaObserved& o : observed)
+        if (o.kind == "zenith-angle") faces[{o.from, o.to, o.round}].push_back(o.value > half_turn);
     std::map<Sight, std::size_t> counts;
-    std::set<std::size_t> found;
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        if (all[i]->kind != "direction") continue;
-        const Sight sight{all[i]->from, all[i]->to, all[i]->round};
+    std::size_t found = 0;
+    for (GamaObserved& o : observed) {
+        if (o.kind != "direction") continue;
+        const Sight sight{o.from, o.to, o.round};
         const std::size_t k = counts[sight]++;
-        if (const auto of = faces.find(sight); of != faces.end() && k < of->second.size() && of->second[k])
-            found.insert(i);
+        const auto of = faces.find(sight);
+        o.face_two = of != faces.end() && k < of->second.size() && of->second[k];
+        found += o.face_two;
     }
-    return found;
+    if (found > 0)
+        proposals.found.push_back(
+            tell<"%1 directions are of face two, as the zenith angles of their sights say">(found));
+    return observed;
 }
 
 }  // namespace
@@ -190,18 +194,10 @@ SetupTable GamaNetwork::points_table() const {
 
 SetupTable GamaNetwork::readings_table() const {
     TableRows rows(table_of(adjustment_model, "readings"));
-    const Unit gon = Unit::of("gon");
-    for (const char* column : {"angle", "u_angle"}) rows.set_unit(column, gon);
+    for (const char* column : {"angle", "u_angle"}) rows.set_unit(column, Unit::of("gon"));
     const auto text = [](const std::string& words) { return words.empty() ? SetupCell() : SetupCell(words); };
     const auto height = [](double h) { return h == 0.0 ? SetupCell() : SetupCell(h); };
-    std::vector<const GamaObserved*> all;
-    for (const Row& row : rows_) all.push_back(&row.observed);
-    const std::set<std::size_t> face_two = directions_of_face_two(all);
-    if (!face_two.empty())
-        proposals_.found.push_back(
-            tell<"%1 directions are of face two, as the zenith angles of their sights say">(face_two.size()));
-    for (std::size_t i = 0; i < rows_.size(); ++i) {
-        const Row& row = rows_[i];
+    for (const Row& row : rows_) {
         const GamaObserved& o = row.observed;
         const bool single = o.kind == "x" || o.kind == "y" || o.kind == "z", angle = o.is_angle;
         double value = o.value;
@@ -216,7 +212,7 @@ SetupTable GamaNetwork::readings_table() const {
                   {angle ? "u_angle" : "u_length", angle ? *o.u : 1e3 * *o.u},
                   {"height_from", height(o.height_from)},
                   {"height_to", height(o.height_to)},
-                  {"face", face_two.contains(i) ? SetupCell(std::string("two")) : SetupCell()}});
+                  {"face", o.face_two ? SetupCell(std::string("two")) : SetupCell()}});
     }
     return rows.table();
 }
@@ -247,7 +243,7 @@ bool GamaNetwork::propose(const std::vector<GamaObserved>& observed,
         }
         return labels;
     };
-    const auto of_observed = take(observed, correlations, "o");
+    const auto of_observed = take(with_faces(observed, proposals_), correlations, "o");
     if (rows_.empty()) return false;
     const auto of_coordinates = take(coordinates_, of_coordinates_, "c");
     const bool finds = std::ranges::any_of(points_, [](const GamaPoint& p) {

@@ -25,6 +25,7 @@ struct GamaObserved {
     std::string from = {}, to = {}, second = {}, round = {};
     int line = 0;
     bool is_angle = false;
+    bool face_two = false;  ///< of a direction
     double value = 0.0, height_from = 0.0, height_to = 0.0;
     std::optional<double> u = {};
 };
