@@ -14741,10 +14741,6 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
         <translation>%1 ist nicht positiv</translation>
     </message>
     <message>
-        <source>%1 is not between 0 and half a turn: state the mean of both faces</source>
-        <translation>%1 liegt nicht zwischen 0 und einer halben Umdrehung: das Mittel beider Kreislagen angeben</translation>
-    </message>
-    <message>
         <source>%1 needs the height of %2, which is not part of the network</source>
         <translation>%1 braucht die Höhe von %2, die nicht Teil des Netzes ist</translation>
     </message>
@@ -16349,10 +16345,6 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
         <translation>Name des Messgeräts wie in der Spalte der Ablesungen; leer: aller Ablesungen ohne eines.</translation>
     </message>
     <message>
-        <source>What it does to all of its readings alike: its zero is added to distances, by its scale (weather correction included) they are longer, refraction bends its lines of sight, its index is added to zenith angles, its collimation over the sine of the zenith angle to directions.</source>
-        <translation>Was es mit allen seinen Ablesungen gleichermaßen macht: Sein Nullpunkt wird zu Distanzen addiert, um seinen Maßstab (einschließlich der Wetterkorrektion) sind sie länger, Refraktion krümmt seine Ziellinien, sein Index wird zu Zenitwinkeln addiert, sein Zielachsfehler durch den Sinus des Zenitwinkels zu Richtungen.</translation>
-    </message>
-    <message>
         <source>zero of distances</source>
         <translation>Nullpunkt der Distanzen</translation>
     </message>
@@ -17713,10 +17705,6 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
         <translation>Schleife von Höhenunterschieden, %1</translation>
     </message>
     <message>
-        <source>before the adjustment: %1 closes with %2 %3, %4 times its u</source>
-        <translation>vor der Ausgleichung: %1 schließt mit %2 %3, %4 mal das eigene u</translation>
-    </message>
-    <message>
         <source>and %1 more closures are beyond 3.29 times their u</source>
         <translation>und %1 weitere Abschlüsse liegen über dem 3.29-Fachen ihres u</translation>
     </message>
@@ -18127,6 +18115,1570 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     <message>
         <source>data sheet</source>
         <translation>Datenblatt</translation>
+    </message>
+    <message>
+        <source>face</source>
+        <translation>Lage</translation>
+    </message>
+    <message>
+        <source>Of a direction, azimuth or zenith angle: the face in which it was read, as it was read. A zenith angle beyond half a turn is of face two anyway. It is brought to face one; index and collimation change it the other way.</source>
+        <translation>Bei einer Richtung, einem Azimut oder einem Zenitwinkel: die Lage, in der abgelesen wurde, wie abgelesen. Ein Zenitwinkel über einer halben Umdrehung ist ohnehin aus Lage zwei. Er wird auf Lage eins gebracht; Index und Zielachsfehler ändern ihn umgekehrt.</translation>
+    </message>
+    <message>
+        <source>one</source>
+        <translation>eins</translation>
+    </message>
+    <message>
+        <source>two</source>
+        <translation>zwei</translation>
+    </message>
+    <message>
+        <source>What it does to all of its readings alike: its zero is added to distances, by its scale (weather correction included) they are longer, refraction bends its lines of sight, its index is added to zenith angles, its collimation over the sine of the zenith angle to directions; in face two both are taken off.</source>
+        <translation>Was es mit allen seinen Ablesungen gleichermaßen tut: Sein Nullpunkt wird zu Distanzen addiert, um seinen Maßstab (samt Wetterkorrektion) sind sie länger, Refraktion krümmt seine Ziellinien, sein Index wird zu Zenitwinkeln addiert, sein Zielachsfehler durch den Sinus des Zenitwinkels zu Richtungen; in Lage zwei werden beide abgezogen.</translation>
+    </message>
+    <message>
+        <source>Theodolite in rounds</source>
+        <translation>Theodolit in Sätzen</translation>
+    </message>
+    <message>
+        <source>Standard deviations of a direction and of a zenith angle measured once in both faces, and the index error of the vertical circle, from rounds to targets as ISO 17123-3 has them, with their uncertainties and the statistical tests.</source>
+        <translation>Standardabweichungen einer Richtung und eines Zenitwinkels, einmal in beiden Lagen gemessen, und der Indexfehler des Vertikalkreises, aus Sätzen zu Zielpunkten, wie ISO 17123-3 sie verlangt, mit ihren Unsicherheiten und den statistischen Tests.</translation>
+    </message>
+    <message>
+        <source>Any number of series, sets and targets counts, also with readings left out; four series of three sets of five targets leave 32 degrees of freedom for directions and 40 for zenith angles.</source>
+        <translation>Jede Anzahl von Reihen, Sätzen und Zielpunkten zählt, auch mit weggelassenen Ablesungen; vier Reihen von drei Sätzen zu fünf Zielpunkten lassen 32 Freiheitsgrade für Richtungen und 40 für Zenitwinkel.</translation>
+    </message>
+    <message>
+        <source>The index error is positive where a zenith angle in face I reads too large. Its sign and the estimate of its uncertainty from its own scatter are those of this program; hold them against the text of the standard before a sheet names it.</source>
+        <translation>Der Indexfehler ist positiv, wo ein Zenitwinkel in Lage I zu groß abgelesen wird. Sein Vorzeichen und die Schätzung seiner Unsicherheit aus seiner eigenen Streuung sind die dieses Programms; sie gegen den Text der Norm halten, bevor ein Protokoll diese nennt.</translation>
+    </message>
+    <message>
+        <source>That the index error is the same in all series is a test of this program.</source>
+        <translation>Dass der Indexfehler in allen Reihen derselbe ist, ist ein Test dieses Programms.</translation>
+    </message>
+    <message>
+        <source>A mean of both faces says nothing of collimation and of the tilt of the axes, which it does not contain.</source>
+        <translation>Ein Mittel beider Lagen sagt nichts über Zielachsfehler und Neigung der Achsen, die es nicht enthält.</translation>
+    </message>
+    <message>
+        <source>A row for each target of each set, with the readings in both faces: directions, zenith angles, or both. Typed, pasted or from a CSV file.</source>
+        <translation>Eine Zeile für jeden Zielpunkt jedes Satzes, mit den Ablesungen in beiden Lagen: Richtungen, Zenitwinkel oder beides. Eingegeben, eingefügt oder aus einer CSV-Datei.</translation>
+    </message>
+    <message>
+        <source>Number of the series; within one the instrument stands unchanged. Empty: 1.</source>
+        <translation>Nummer der Reihe; innerhalb einer Reihe steht das Messgerät unverändert. Leer: 1.</translation>
+    </message>
+    <message>
+        <source>Number of the set (round) within its series.</source>
+        <translation>Nummer des Satzes innerhalb seiner Reihe.</translation>
+    </message>
+    <message>
+        <source>Hz I</source>
+        <translation>Hz I</translation>
+    </message>
+    <message>
+        <source>Horizontal circle in face I.</source>
+        <translation>Horizontalkreis in Lage I.</translation>
+    </message>
+    <message>
+        <source>Hz II</source>
+        <translation>Hz II</translation>
+    </message>
+    <message>
+        <source>Horizontal circle in face II.</source>
+        <translation>Horizontalkreis in Lage II.</translation>
+    </message>
+    <message>
+        <source>V I</source>
+        <translation>V I</translation>
+    </message>
+    <message>
+        <source>Zenith angle in face I: 90° on the horizon.</source>
+        <translation>Zenitwinkel in Lage I: 90° am Horizont.</translation>
+    </message>
+    <message>
+        <source>V II</source>
+        <translation>V II</translation>
+    </message>
+    <message>
+        <source>Zenith angle in face II: 270° on the horizon.</source>
+        <translation>Zenitwinkel in Lage II: 270° am Horizont.</translation>
+    </message>
+    <message>
+        <source>σ of a direction, stated or wanted</source>
+        <translation>σ einer Richtung, angegeben oder gewünscht</translation>
+    </message>
+    <message>
+        <source>Standard deviation, measured once in both faces, that test a holds s against: of the maker, or what a job needs. Empty: no test a.</source>
+        <translation>Standardabweichung, einmal in beiden Lagen gemessen, gegen die Test a das s hält: des Herstellers oder was eine Aufgabe braucht. Leer: kein Test a.</translation>
+    </message>
+    <message>
+        <source>s of a direction, another campaign</source>
+        <translation>s einer Richtung, andere Kampagne</translation>
+    </message>
+    <message>
+        <source>Experimental standard deviation that test b compares s with: of another instrument, observer or day. Empty: no test b.</source>
+        <translation>Empirische Standardabweichung, mit der Test b das s vergleicht: eines anderen Messgeräts, Beobachters oder Tages. Leer: kein Test b.</translation>
+    </message>
+    <message>
+        <source>Degrees of freedom of that s</source>
+        <translation>Freiheitsgrade dieses s</translation>
+    </message>
+    <message>
+        <source>Of the s of the other campaign; the default is that of four series of three sets of five targets.</source>
+        <translation>Des s der anderen Kampagne; die Vorgabe ist die von vier Reihen mit drei Sätzen zu fünf Zielpunkten.</translation>
+    </message>
+    <message>
+        <source>σ of a zenith angle, stated or wanted</source>
+        <translation>σ eines Zenitwinkels, angegeben oder gewünscht</translation>
+    </message>
+    <message>
+        <source>s of a zenith angle, another campaign</source>
+        <translation>s eines Zenitwinkels, andere Kampagne</translation>
+    </message>
+    <message>
+        <source>History of an instrument</source>
+        <translation>Geschichte eines Messgeräts</translation>
+    </message>
+    <message>
+        <source>The drift of an instrument or standard from what its calibrations found, with its uncertainty: the component for its next use, and the day on which its next calibration is due.</source>
+        <translation>Die Drift eines Messgeräts oder Normals aus dem, was seine Kalibrierungen vorgefunden haben, mit ihrer Unsicherheit: die Komponente für seine nächste Verwendung und der Tag, an dem seine nächste Kalibrierung fällig ist.</translation>
+    </message>
+    <message>
+        <source>The drift is taken as linear. Residuals in the evaluation show whether it is.</source>
+        <translation>Die Drift gilt als linear. Residuen in der Auswertung zeigen, ob sie es ist.</translation>
+    </message>
+    <message>
+        <source>Adjustments are taken out of the series by their differences as left less as found; these count as exact, because both are values of one calibration.</source>
+        <translation>Justierungen werden mit ihren Differenzen, wie hinterlassen weniger wie vorgefunden, aus der Reihe herausgerechnet; diese gelten als exakt, weil beide Werte aus einer Kalibrierung sind.</translation>
+    </message>
+    <message>
+        <source>What all calibrations share has no part in the drift. The scatter about the line is part of the value on a date of use: the instrument may lie off its line as it did before.</source>
+        <translation>Was alle Kalibrierungen gemeinsam haben, hat keinen Anteil an der Drift. Die Streuung um die Gerade gehört zum Wert an einem Datum der Verwendung: Das Messgerät kann neben seiner Geraden liegen wie zuvor.</translation>
+    </message>
+    <message>
+        <source>A year has 365.25 days.</source>
+        <translation>Ein Jahr hat 365,25 Tage.</translation>
+    </message>
+    <message>
+        <source>Of the value.</source>
+        <translation>Des Wertes.</translation>
+    </message>
+    <message>
+        <source>What the calibrations state.</source>
+        <translation>Was die Kalibrierungen angeben.</translation>
+    </message>
+    <message>
+        <source>In which the values are given.</source>
+        <translation>In der die Werte angegeben sind.</translation>
+    </message>
+    <message>
+        <source>Calibrations</source>
+        <translation>Kalibrierungen</translation>
+    </message>
+    <message>
+        <source>What each calibration found, typed, pasted or from a CSV file.</source>
+        <translation>Was jede Kalibrierung vorgefunden hat, eingegeben, eingefügt oder aus einer CSV-Datei.</translation>
+    </message>
+    <message>
+        <source>date</source>
+        <translation>Datum</translation>
+    </message>
+    <message>
+        <source>Of the calibration: 2026-04-17. Earlier ones stand above.</source>
+        <translation>Der Kalibrierung: 2026-04-17. Frühere stehen darüber.</translation>
+    </message>
+    <message>
+        <source>as found</source>
+        <translation>wie vorgefunden</translation>
+    </message>
+    <message>
+        <source>Value or deviation before an adjustment, in the unit.</source>
+        <translation>Wert oder Abweichung vor einer Justierung, in der Einheit.</translation>
+    </message>
+    <message>
+        <source>as left</source>
+        <translation>wie hinterlassen</translation>
+    </message>
+    <message>
+        <source>After an adjustment, in the unit; empty: not adjusted.</source>
+        <translation>Nach einer Justierung, in der Einheit; leer: nicht justiert.</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of this value alone, in the unit. Used, and needed, with stated uncertainties.</source>
+        <translation>Standardunsicherheit dieses Wertes allein, in der Einheit. Verwendet und nötig bei angegebenen Unsicherheiten.</translation>
+    </message>
+    <message>
+        <source>From the scatter about the line (three calibrations or more), or as stated for each value.</source>
+        <translation>Aus der Streuung um die Gerade (drei Kalibrierungen oder mehr) oder wie für jeden Wert angegeben.</translation>
+    </message>
+    <message>
+        <source>Common u</source>
+        <translation>Gemeinsames u</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of a deviation that all values share, as that of the laboratory&apos;s standard, in the unit. It is none of the drift.</source>
+        <translation>Standardunsicherheit einer Abweichung, die alle Werte teilen, wie die des Normals des Labors, in der Einheit. Sie gehört nicht zur Drift.</translation>
+    </message>
+    <message>
+        <source>Date of use</source>
+        <translation>Datum der Verwendung</translation>
+    </message>
+    <message>
+        <source>The value and the drift on that day: 2026-11-28; empty: not asked.</source>
+        <translation>Der Wert und die Drift an diesem Tag: 2026-11-28; leer: nicht gefragt.</translation>
+    </message>
+    <message>
+        <source>Next calibration</source>
+        <translation>Nächste Kalibrierung</translation>
+    </message>
+    <message>
+        <source>Rule</source>
+        <translation>Regel</translation>
+    </message>
+    <message>
+        <source>What must stay within the limit until the next calibration, with k times its u.</source>
+        <translation>Was bis zur nächsten Kalibrierung innerhalb der Grenze bleiben muss, mit k mal seinem u.</translation>
+    </message>
+    <message>
+        <source>the drift since the last calibration</source>
+        <translation>die Drift seit der letzten Kalibrierung</translation>
+    </message>
+    <message>
+        <source>the deviation from the nominal value</source>
+        <translation>die Abweichung vom Nennwert</translation>
+    </message>
+    <message>
+        <source>Limit</source>
+        <translation>Grenze</translation>
+    </message>
+    <message>
+        <source>In the unit.</source>
+        <translation>In der Einheit.</translation>
+    </message>
+    <message>
+        <source>Nominal value</source>
+        <translation>Nennwert</translation>
+    </message>
+    <message>
+        <source>In the unit; 0 for deviations.</source>
+        <translation>In der Einheit; 0 für Abweichungen.</translation>
+    </message>
+    <message>
+        <source>k of the rule</source>
+        <translation>k der Regel</translation>
+    </message>
+    <message>
+        <source>Multiple of u that is added.</source>
+        <translation>Vielfaches von u, das addiert wird.</translation>
+    </message>
+    <message>
+        <source>Longest interval</source>
+        <translation>Längster Abstand</translation>
+    </message>
+    <message>
+        <source>Years after which it is due in any case.</source>
+        <translation>Jahre, nach denen sie auf jeden Fall fällig ist.</translation>
+    </message>
+    <message>
+        <source>Force-proving instrument</source>
+        <translation>Kraftmessgerät</translation>
+    </message>
+    <message>
+        <source>Errors of a force transducer as ISO 376 has them, from indications under calibration forces in three positions, its interpolation with covariance, W over the force with all its parts as EURAMET cg-4 combines them, and its class by limits that are entered.</source>
+        <translation>Abweichungen eines Kraftaufnehmers nach ISO 376, aus Anzeigen unter Kalibrierkräften in drei Stellungen, seine Interpolation mit Kovarianz, W über der Kraft mit allen Anteilen, wie EURAMET cg-4 sie zusammenfasst, und seine Klasse nach Grenzen, die eingegeben werden.</translation>
+    </message>
+    <message>
+        <source>Formulas are those in common use; hold them against the texts of ISO 376 and EURAMET cg-4 before a certificate names them. Limits of classes are not built in.</source>
+        <translation>Die Formeln sind die gebräuchlichen; sie gegen die Texte von ISO 376 und EURAMET cg-4 halten, bevor ein Kalibrierschein diese nennt. Grenzen von Klassen sind nicht eingebaut.</translation>
+    </message>
+    <message>
+        <source>W of the table has the coverage factor that is entered. Results have the one of their degrees of freedom: three rotations leave two, which k = 2 does not know.</source>
+        <translation>W der Tabelle hat den eingegebenen Erweiterungsfaktor. Ergebnisse haben den ihrer Freiheitsgrade: Drei Drehungen lassen zwei, wovon k = 2 nichts weiß.</translation>
+    </message>
+    <message>
+        <source>The uncertainty of the machine&apos;s force, creep, zero and temperature act at all forces alike and are common to them; the rotations keep the covariance between the forces that was seen. What is read at one force is its own.</source>
+        <translation>Die Unsicherheit der Kraft der Maschine, Kriechen, Nullpunkt und Temperatur wirken bei allen Kräften gleich und sind ihnen gemeinsam; die Drehungen behalten die Kovarianz zwischen den Kräften, die gesehen wurde. Was bei einer Kraft abgelesen wird, gehört nur zu ihr.</translation>
+    </message>
+    <message>
+        <source>The coefficients have the covariance of the mean deflections; the residuals of the interpolation count at the forces, not in the coefficients.</source>
+        <translation>Die Koeffizienten haben die Kovarianz der mittleren Ausschläge; die Residuen der Interpolation zählen bei den Kräften, nicht in den Koeffizienten.</translation>
+    </message>
+    <message>
+        <source>Drift since the calibration, another indicator and other conditions of use are not part of W.</source>
+        <translation>Drift seit der Kalibrierung, ein anderes Anzeigegerät und andere Bedingungen des Gebrauchs sind nicht Teil von W.</translation>
+    </message>
+    <message>
+        <source>Forces and indications</source>
+        <translation>Kräfte und Anzeigen</translation>
+    </message>
+    <message>
+        <source>A row for each calibration force: two series in one position, one after each of two rotations; decreasing forces where they were read. Typed, pasted or from a CSV file.</source>
+        <translation>Eine Zeile für jede Kalibrierkraft: zwei Reihen in einer Stellung, je eine nach jeder von zwei Drehungen; fallende Kräfte, wo sie abgelesen wurden. Eingegeben, eingefügt oder aus einer CSV-Datei.</translation>
+    </message>
+    <message>
+        <source>Of the calibration machine; its unit is that of results.</source>
+        <translation>Der Kalibriermaschine; ihre Einheit ist die der Ergebnisse.</translation>
+    </message>
+    <message>
+        <source>X1</source>
+        <translation>X1</translation>
+    </message>
+    <message>
+        <source>First position, increasing force.</source>
+        <translation>Erste Stellung, steigende Kraft.</translation>
+    </message>
+    <message>
+        <source>X2</source>
+        <translation>X2</translation>
+    </message>
+    <message>
+        <source>The same position again.</source>
+        <translation>Noch einmal dieselbe Stellung.</translation>
+    </message>
+    <message>
+        <source>X3</source>
+        <translation>X3</translation>
+    </message>
+    <message>
+        <source>After the first rotation, increasing force.</source>
+        <translation>Nach der ersten Drehung, steigende Kraft.</translation>
+    </message>
+    <message>
+        <source>X4′</source>
+        <translation>X4′</translation>
+    </message>
+    <message>
+        <source>The same position as X3, decreasing force; empty: not read at this force.</source>
+        <translation>Dieselbe Stellung wie X3, fallende Kraft; leer: bei dieser Kraft nicht abgelesen.</translation>
+    </message>
+    <message>
+        <source>X5</source>
+        <translation>X5</translation>
+    </message>
+    <message>
+        <source>After the second rotation, increasing force.</source>
+        <translation>Nach der zweiten Drehung, steigende Kraft.</translation>
+    </message>
+    <message>
+        <source>X6′</source>
+        <translation>X6′</translation>
+    </message>
+    <message>
+        <source>The same position as X5, decreasing force; empty: not read at this force.</source>
+        <translation>Dieselbe Stellung wie X5, fallende Kraft; leer: bei dieser Kraft nicht abgelesen.</translation>
+    </message>
+    <message>
+        <source>U of the force</source>
+        <translation>U der Kraft</translation>
+    </message>
+    <message>
+        <source>Relative expanded uncertainty (k = 2) of this force; empty: that of the calibration machine.</source>
+        <translation>Relative erweiterte Unsicherheit (k = 2) dieser Kraft; leer: die der Kalibriermaschine.</translation>
+    </message>
+    <message>
+        <source>Indications without load</source>
+        <translation>Anzeigen ohne Last</translation>
+    </message>
+    <message>
+        <source>Before and after each series with increasing forces. Empty: the indications are deflections already, and there is no zero error.</source>
+        <translation>Vor und nach jeder Reihe mit steigenden Kräften. Leer: Die Anzeigen sind schon Ausschläge, und es gibt keine Nullpunktabweichung.</translation>
+    </message>
+    <message>
+        <source>Series with increasing forces.</source>
+        <translation>Reihe mit steigenden Kräften.</translation>
+    </message>
+    <message>
+        <source>Indication without load before the series.</source>
+        <translation>Anzeige ohne Last vor der Reihe.</translation>
+    </message>
+    <message>
+        <source>Indication without load after it, or after the decreasing forces that follow upon it.</source>
+        <translation>Anzeige ohne Last nach ihr oder nach den fallenden Kräften, die auf sie folgen.</translation>
+    </message>
+    <message>
+        <source>Smallest step of the indication, or the half range over which it fluctuates.</source>
+        <translation>Kleinster Schritt der Anzeige oder die halbe Spanne, über die sie schwankt.</translation>
+    </message>
+    <message>
+        <source>Creep: indication after 30 s</source>
+        <translation>Kriechen: Anzeige nach 30 s</translation>
+    </message>
+    <message>
+        <source>Without load, 30 s after the largest force was taken off (or at that force). Empty: creep was not measured.</source>
+        <translation>Ohne Last, 30 s nachdem die größte Kraft abgenommen wurde (oder bei dieser Kraft). Leer: Kriechen wurde nicht gemessen.</translation>
+    </message>
+    <message>
+        <source>Creep: indication after 300 s</source>
+        <translation>Kriechen: Anzeige nach 300 s</translation>
+    </message>
+    <message>
+        <source>The same after 300 s.</source>
+        <translation>Dasselbe nach 300 s.</translation>
+    </message>
+    <message>
+        <source>Force and conditions</source>
+        <translation>Kraft und Bedingungen</translation>
+    </message>
+    <message>
+        <source>Its certificate gives the relative uncertainty of the force. Empty: every force has its own.</source>
+        <translation>Ihr Kalibrierschein gibt die relative Unsicherheit der Kraft. Leer: Jede Kraft hat ihre eigene.</translation>
+    </message>
+    <message>
+        <source>Axis of the machine</source>
+        <translation>Achse der Maschine</translation>
+    </message>
+    <message>
+        <source>Which of the loads of its certificate acts on the instrument.</source>
+        <translation>Welche der Lasten ihres Kalibrierscheins auf das Messgerät wirkt.</translation>
+    </message>
+    <message>
+        <source>Temperature coefficient</source>
+        <translation>Temperaturkoeffizient</translation>
+    </message>
+    <message>
+        <source>Relative change of the deflection with temperature.</source>
+        <translation>Relative Änderung des Ausschlags mit der Temperatur.</translation>
+    </message>
+    <message>
+        <source>Temperature, half width</source>
+        <translation>Temperatur, halbe Breite</translation>
+    </message>
+    <message>
+        <source>The temperature of the instrument is known within plus and minus this much.</source>
+        <translation>Die Temperatur des Messgeräts ist auf plus und minus so viel bekannt.</translation>
+    </message>
+    <message>
+        <source>Used with</source>
+        <translation>Benutzt mit</translation>
+    </message>
+    <message>
+        <source>Whether the instrument will be used with decreasing forces too: the reversibility error is then part of its uncertainty.</source>
+        <translation>Ob das Messgerät auch mit fallenden Kräften benutzt wird: Die Umkehrspanne ist dann Teil seiner Unsicherheit.</translation>
+    </message>
+    <message>
+        <source>increasing forces only</source>
+        <translation>nur steigenden Kräften</translation>
+    </message>
+    <message>
+        <source>decreasing forces too</source>
+        <translation>auch fallenden Kräften</translation>
+    </message>
+    <message>
+        <source>Divisor of the reversibility</source>
+        <translation>Teiler der Umkehrspanne</translation>
+    </message>
+    <message>
+        <source>The reversibility error divided by it is a standard uncertainty: √3 where the error is a limit that is reached, 3 where it hardly is.</source>
+        <translation>Die Umkehrspanne, durch ihn geteilt, ist eine Standardunsicherheit: √3, wo sie eine Grenze ist, die erreicht wird, 3, wo sie es kaum wird.</translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation>Kurven</translation>
+    </message>
+    <message>
+        <source>Degree of the interpolation</source>
+        <translation>Grad der Interpolation</translation>
+    </message>
+    <message>
+        <source>Of the polynomial of the mean deflection over the force: 1 to 3.</source>
+        <translation>Des Polynoms des mittleren Ausschlags über der Kraft: 1 bis 3.</translation>
+    </message>
+    <message>
+        <source>Constant term</source>
+        <translation>Konstantes Glied</translation>
+    </message>
+    <message>
+        <source>Whether the polynomial may have a value without force; else it begins at zero.</source>
+        <translation>Ob das Polynom ohne Kraft einen Wert haben darf; sonst beginnt es bei null.</translation>
+    </message>
+    <message>
+        <source>Interpolation counts relative to</source>
+        <translation>Interpolation bezieht sich auf</translation>
+    </message>
+    <message>
+        <source>What the standard deviation of the residuals is divided by. Relative to the largest deflection it is the same part at every force; relative to each one it grows where forces are small, as a residual does.</source>
+        <translation>Wodurch die Standardabweichung der Residuen geteilt wird. Bezogen auf den größten Ausschlag ist sie bei jeder Kraft derselbe Anteil; bezogen auf jeden wächst sie, wo Kräfte klein sind, wie ein Residuum es tut.</translation>
+    </message>
+    <message>
+        <source>the largest deflection</source>
+        <translation>den größten Ausschlag</translation>
+    </message>
+    <message>
+        <source>the deflection at each force</source>
+        <translation>den Ausschlag bei jeder Kraft</translation>
+    </message>
+    <message>
+        <source>Normal, with its degrees of freedom in the law of propagation, or a t-distribution (JCGM 101 6.4.9), which has no standard deviation with three rotations.</source>
+        <translation>Normal, mit ihren Freiheitsgraden im Fortpflanzungsgesetz, oder eine t-Verteilung (JCGM 101 6.4.9), die mit drei Drehungen keine Standardabweichung hat.</translation>
+    </message>
+    <message>
+        <source>Coverage factor of W</source>
+        <translation>Erweiterungsfaktor von W</translation>
+    </message>
+    <message>
+        <source>In the table and curve of W; results have the coverage factor of their degrees of freedom.</source>
+        <translation>In Tabelle und Kurve von W; Ergebnisse haben den Erweiterungsfaktor ihrer Freiheitsgrade.</translation>
+    </message>
+    <message>
+        <source>Degree of W over the force</source>
+        <translation>Grad von W über der Kraft</translation>
+    </message>
+    <message>
+        <source>Of the polynomial that states W between the calibration forces.</source>
+        <translation>Des Polynoms, das W zwischen den Kalibrierkräften angibt.</translation>
+    </message>
+    <message>
+        <source>Classes</source>
+        <translation>Klassen</translation>
+    </message>
+    <message>
+        <source>Limits of the classes</source>
+        <translation>Grenzen der Klassen</translation>
+    </message>
+    <message>
+        <source>A row for each class, the strictest first, with the largest errors that its standard allows: none of a standard is built in. An empty cell is held against nothing; without rows no class is found.</source>
+        <translation>Eine Zeile für jede Klasse, die strengste zuerst, mit den größten Abweichungen, die ihre Norm zulässt: Keine einer Norm ist eingebaut. Eine leere Zelle wird mit nichts verglichen; ohne Zeilen wird keine Klasse gefunden.</translation>
+    </message>
+    <message>
+        <source>class</source>
+        <translation>Klasse</translation>
+    </message>
+    <message>
+        <source>Name of the class; the strictest first.</source>
+        <translation>Name der Klasse; die strengste zuerst.</translation>
+    </message>
+    <message>
+        <source>Largest reproducibility error, with rotation.</source>
+        <translation>Größte Vergleichpräzision, mit Drehung.</translation>
+    </message>
+    <message>
+        <source>b′</source>
+        <translation>b′</translation>
+    </message>
+    <message>
+        <source>Largest repeatability error, without rotation.</source>
+        <translation>Größte Wiederholpräzision, ohne Drehung.</translation>
+    </message>
+    <message>
+        <source>Largest interpolation error, of either sign.</source>
+        <translation>Größte Interpolationsabweichung, gleich welchen Vorzeichens.</translation>
+    </message>
+    <message>
+        <source>Largest zero error, of either sign.</source>
+        <translation>Größte Nullpunktabweichung, gleich welchen Vorzeichens.</translation>
+    </message>
+    <message>
+        <source>Largest reversibility error.</source>
+        <translation>Größte Umkehrspanne.</translation>
+    </message>
+    <message>
+        <source>Largest creep error.</source>
+        <translation>Größte Kriechabweichung.</translation>
+    </message>
+    <message>
+        <source>Largest relative expanded uncertainty (k = 2) of the calibration force.</source>
+        <translation>Größte relative erweiterte Unsicherheit (k = 2) der Kalibrierkraft.</translation>
+    </message>
+    <message>
+        <source>Calibration of a force transducer</source>
+        <translation>Kalibrierung eines Kraftaufnehmers</translation>
+    </message>
+    <message>
+        <source>Errors, interpolation, class and uncertainty of a transducer from three positions, after ISO 376.</source>
+        <translation>Abweichungen, Interpolation, Klasse und Unsicherheit eines Aufnehmers aus drei Stellungen, nach ISO 376.</translation>
+    </message>
+    <message>
+        <source>Standard deviations of directions and zenith angles and the index error, with the tests of ISO 17123-3.</source>
+        <translation>Standardabweichungen von Richtungen und Zenitwinkeln und der Indexfehler, mit den Tests von ISO 17123-3.</translation>
+    </message>
+    <message>
+        <source>Drift from as-found values, the component for its next use, its next calibration.</source>
+        <translation>Drift aus vorgefundenen Werten, die Komponente für die nächste Verwendung, die nächste Kalibrierung.</translation>
+    </message>
+    <message>
+        <source>Force transducer of 50 kN in three positions</source>
+        <translation>Kraftaufnehmer von 50 kN in drei Stellungen</translation>
+    </message>
+    <message>
+        <source>A force transducer, calibrated after ISO 376 with eight forces in three positions: repeatability, reproducibility, interpolation, zero, reversibility and creep errors, W over the force as EURAMET cg-4 combines it, and the coefficients of its interpolation with their covariance.</source>
+        <translation>Ein Kraftaufnehmer, kalibriert nach ISO 376 mit acht Kräften in drei Stellungen: Wiederholpräzision, Vergleichpräzision, Interpolations-, Nullpunkt- und Kriechabweichung, Umkehrspanne, W über der Kraft, wie EURAMET cg-4 es zusammenfasst, und die Koeffizienten seiner Interpolation mit ihrer Kovarianz.</translation>
+    </message>
+    <message>
+        <source>Seven years of a gauge block</source>
+        <translation>Sieben Jahre eines Endmaßes</translation>
+    </message>
+    <message>
+        <source>Invented: the deviation of a gauge block of 50 mm from its nominal length, as seven calibrations found it.</source>
+        <translation>Erfunden: die Abweichung eines Endmaßes von 50 mm von seiner Nennlänge, wie sieben Kalibrierungen sie vorgefunden haben.</translation>
+    </message>
+    <message>
+        <source>Theodolite in rounds to five targets</source>
+        <translation>Theodolit in Sätzen zu fünf Zielpunkten</translation>
+    </message>
+    <message>
+        <source>The circles of a total station, tested after ISO 17123-3 with four series of three sets to five targets in both faces: standard deviations of a direction and of a zenith angle, the index error, each with its uncertainty, and the statistical tests.</source>
+        <translation>Die Kreise einer Totalstation, geprüft nach ISO 17123-3 mit vier Reihen von drei Sätzen zu fünf Zielpunkten in beiden Lagen: Standardabweichungen einer Richtung und eines Zenitwinkels, der Indexfehler, jeweils mit Unsicherheit, und die statistischen Tests.</translation>
+    </message>
+    <message>
+        <source>Amended certificate</source>
+        <translation>Berichtigter Kalibrierschein</translation>
+    </message>
+    <message>
+        <source>Replaces certificate</source>
+        <translation>Ersetzt Kalibrierschein</translation>
+    </message>
+    <message>
+        <source>Number of the certificate that this one replaces; empty: it is no amended one.</source>
+        <translation>Nummer des Kalibrierscheins, den dieser ersetzt; leer: Er ist kein berichtigter.</translation>
+    </message>
+    <message>
+        <source>Its date of issue</source>
+        <translation>Dessen Datum der Ausstellung</translation>
+    </message>
+    <message>
+        <source>Reasons of the amendment</source>
+        <translation>Gründe der Berichtigung</translation>
+    </message>
+    <message>
+        <source>What was wrong or has changed, and why.</source>
+        <translation>Was falsch war oder sich geändert hat, und warum.</translation>
+    </message>
+    <message>
+        <source>Prepared by</source>
+        <translation>Erstellt von</translation>
+    </message>
+    <message>
+        <source>Who set up and evaluated the project.</source>
+        <translation>Wer das Projekt aufgestellt und ausgewertet hat.</translation>
+    </message>
+    <message>
+        <source>Checked by</source>
+        <translation>Geprüft von</translation>
+    </message>
+    <message>
+        <source>Who checked it.</source>
+        <translation>Wer es geprüft hat.</translation>
+    </message>
+    <message>
+        <source>Released by</source>
+        <translation>Freigegeben von</translation>
+    </message>
+    <message>
+        <source>Who authorised it (ISO/IEC 17025 7.8.1.1).</source>
+        <translation>Wer es freigegeben hat (ISO/IEC 17025 7.8.1.1).</translation>
+    </message>
+    <message>
+        <source>Changes to certificate %1</source>
+        <translation>Änderungen gegenüber Kalibrierschein %1</translation>
+    </message>
+    <message>
+        <source>No result has changed.</source>
+        <translation>Kein Ergebnis hat sich geändert.</translation>
+    </message>
+    <message>
+        <source>Statement</source>
+        <translation>Angabe</translation>
+    </message>
+    <message>
+        <source>Replaced certificate</source>
+        <translation>Ersetzter Kalibrierschein</translation>
+    </message>
+    <message>
+        <source>This certificate</source>
+        <translation>Dieser Kalibrierschein</translation>
+    </message>
+    <message>
+        <source>Sources of error that are covered</source>
+        <translation>Quellen von Abweichungen, die erfasst sind</translation>
+    </message>
+    <message>
+        <source>Not covered</source>
+        <translation>Nicht erfasst</translation>
+    </message>
+    <message>
+        <source>%1, face two</source>
+        <translation>%1, Lage zwei</translation>
+    </message>
+    <message>
+        <source>%1 of face two is not between half a turn and a whole one: type it as read</source>
+        <translation>%1 aus Lage zwei liegt nicht zwischen einer halben und einer ganzen Umdrehung: eingeben, wie abgelesen</translation>
+    </message>
+    <message>
+        <source>%1 is not between 0 and half a turn (face one), nor between half a turn and a whole one (face two)</source>
+        <translation>%1 liegt weder zwischen 0 und einer halben Umdrehung (Lage eins) noch zwischen einer halben und einer ganzen (Lage zwei)</translation>
+    </message>
+    <message>
+        <source>%1, again, half a turn off (say that it is of face two)</source>
+        <translation>%1, erneut, um eine halbe Umdrehung anders (angeben, dass es aus Lage zwei ist)</translation>
+    </message>
+    <message>
+        <source>before the adjustment: %1 closes with %2 %3, %4 times its u (rows %5 of the readings)</source>
+        <translation>vor der Ausgleichung: %1 schließt mit %2 %3, %4-mal seinem u (Zeilen %5 der Ablesungen)</translation>
+    </message>
+    <message>
+        <source>rows of the readings</source>
+        <translation>Zeilen der Ablesungen</translation>
+    </message>
+    <message>
+        <source>loop of distances, %1</source>
+        <translation>Schleife von Distanzen, %1</translation>
+    </message>
+    <message>
+        <source>%1 and the sights of both from %2</source>
+        <translation>%1 und die Zielungen zu beiden von %2</translation>
+    </message>
+    <message>
+        <source>distance %1 – %2 by coordinates and the sights of both from %3</source>
+        <translation>Distanz %1 – %2 aus Koordinaten und den Zielungen zu beiden von %3</translation>
+    </message>
+    <message>
+        <source>distance %1 – %2 by the sights from %3 and from %4</source>
+        <translation>Distanz %1 – %2 aus den Zielungen von %3 und von %4</translation>
+    </message>
+    <message>
+        <source>%1 in both faces, as %2</source>
+        <translation>%1 in beiden Lagen, wie %2</translation>
+    </message>
+    <message>
+        <source>%1 in both faces</source>
+        <translation>%1 in beiden Lagen</translation>
+    </message>
+    <message>
+        <source>%1 from both faces of %2 sights</source>
+        <translation>%1 aus beiden Lagen von %2 Zielungen</translation>
+    </message>
+    <message>
+        <source>Both faces before the adjustment</source>
+        <translation>Beide Lagen vor der Ausgleichung</translation>
+    </message>
+    <message>
+        <source>sights</source>
+        <translation>Zielungen</translation>
+    </message>
+    <message>
+        <source>from both faces</source>
+        <translation>aus beiden Lagen</translation>
+    </message>
+    <message>
+        <source>u of that</source>
+        <translation>u davon</translation>
+    </message>
+    <message>
+        <source>u as stated</source>
+        <translation>u wie angegeben</translation>
+    </message>
+    <message>
+        <source>not as stated?</source>
+        <translation>nicht wie angegeben?</translation>
+    </message>
+    <message>
+        <source>state it among the figures of instruments</source>
+        <translation>unter den Kennwerten der Messgeräte angeben</translation>
+    </message>
+    <message>
+        <source>Index (z₁ + z₂ − 400 gon)/2 and collimation (a₁ − a₂ ± 200 gon)/2 · sin z of the sights that were read in both faces.</source>
+        <translation>Index (z₁ + z₂ − 400 gon)/2 und Zielachsfehler (a₁ − a₂ ± 200 gon)/2 · sin z der Zielungen, die in beiden Lagen abgelesen wurden.</translation>
+    </message>
+    <message>
+        <source>all angles</source>
+        <translation>alle Winkel</translation>
+    </message>
+    <message>
+        <source>all lengths</source>
+        <translation>alle Längen</translation>
+    </message>
+    <message>
+        <source>the directions</source>
+        <translation>die Richtungen</translation>
+    </message>
+    <message>
+        <source>the zenith angles</source>
+        <translation>die Zenitwinkel</translation>
+    </message>
+    <message>
+        <source>the slope distances</source>
+        <translation>die Schrägdistanzen</translation>
+    </message>
+    <message>
+        <source>the horizontal distances</source>
+        <translation>die Horizontaldistanzen</translation>
+    </message>
+    <message>
+        <source>the height differences</source>
+        <translation>die Höhenunterschiede</translation>
+    </message>
+    <message>
+        <source>the angles read from %1</source>
+        <translation>die von %1 abgelesenen Winkel</translation>
+    </message>
+    <message>
+        <source>the lengths read from %1</source>
+        <translation>die von %1 abgelesenen Längen</translation>
+    </message>
+    <message>
+        <source>the angles of %1</source>
+        <translation>die Winkel von %1</translation>
+    </message>
+    <message>
+        <source>the lengths of %1</source>
+        <translation>die Längen von %1</translation>
+    </message>
+    <message>
+        <source>the readings agree if %1 are gon that were typed as degrees</source>
+        <translation>die Ablesungen stimmen überein, wenn %1 gon sind, die als Grad eingegeben wurden</translation>
+    </message>
+    <message>
+        <source>the readings agree if %1 are mm that were typed as m</source>
+        <translation>die Ablesungen stimmen überein, wenn %1 mm sind, die als m eingegeben wurden</translation>
+    </message>
+    <message>
+        <source>the readings agree if %1 are degrees that were typed as gon</source>
+        <translation>die Ablesungen stimmen überein, wenn %1 Grad sind, die als gon eingegeben wurden</translation>
+    </message>
+    <message>
+        <source>the readings agree if %1 are m that were typed as mm</source>
+        <translation>die Ablesungen stimmen überein, wenn %1 m sind, die als mm eingegeben wurden</translation>
+    </message>
+    <message>
+        <source>the readings agree if the coordinates of %1 and %2 are exchanged</source>
+        <translation>die Ablesungen stimmen überein, wenn die Koordinaten von %1 und %2 vertauscht werden</translation>
+    </message>
+    <message>
+        <source>No limits of classes are entered: no class is found.</source>
+        <translation>Keine Grenzen von Klassen sind eingegeben: Es wird keine Klasse gefunden.</translation>
+    </message>
+    <message>
+        <source>largest force</source>
+        <translation>größte Kraft</translation>
+    </message>
+    <message>
+        <source>deflection at the largest force</source>
+        <translation>Ausschlag bei der größten Kraft</translation>
+    </message>
+    <message>
+        <source>zero error f_0, the largest of the series</source>
+        <translation>Nullpunktabweichung f_0, die größte der Reihen</translation>
+    </message>
+    <message>
+        <source>creep error c</source>
+        <translation>Kriechabweichung c</translation>
+    </message>
+    <message>
+        <source>degrees of freedom of the interpolation</source>
+        <translation>Freiheitsgrade der Interpolation</translation>
+    </message>
+    <message>
+        <source>Without indications at zero there is no zero error.</source>
+        <translation>Ohne Anzeigen bei null gibt es keine Nullpunktabweichung.</translation>
+    </message>
+    <message>
+        <source>Creep was not measured: the budget has none of it.</source>
+        <translation>Kriechen wurde nicht gemessen: Das Budget enthält nichts davon.</translation>
+    </message>
+    <message>
+        <source>The zero error was not measured and is held against no limit.</source>
+        <translation>Die Nullpunktabweichung wurde nicht gemessen und wird mit keiner Grenze verglichen.</translation>
+    </message>
+    <message>
+        <source>The creep error was not measured and is held against no limit.</source>
+        <translation>Die Kriechabweichung wurde nicht gemessen und wird mit keiner Grenze verglichen.</translation>
+    </message>
+    <message>
+        <source>The reversibility error was not measured and is held against no limit.</source>
+        <translation>Die Umkehrspanne wurde nicht gemessen und wird mit keiner Grenze verglichen.</translation>
+    </message>
+    <message>
+        <source>reproducibility</source>
+        <translation>Vergleichpräzision</translation>
+    </message>
+    <message>
+        <source>creep</source>
+        <translation>Kriechen</translation>
+    </message>
+    <message>
+        <source>zero</source>
+        <translation>Nullpunkt</translation>
+    </message>
+    <message>
+        <source>temperature</source>
+        <translation>Temperatur</translation>
+    </message>
+    <message>
+        <source>interpolation</source>
+        <translation>Interpolation</translation>
+    </message>
+    <message>
+        <source>reversibility</source>
+        <translation>Umkehrspanne</translation>
+    </message>
+    <message>
+        <source>deflection</source>
+        <translation>Ausschlag</translation>
+    </message>
+    <message>
+        <source>W, relative expanded uncertainty</source>
+        <translation>W, relative erweiterte Unsicherheit</translation>
+    </message>
+    <message>
+        <source>The curve of W is a fit to the steps, raised by %1 % so that no step lies above it.</source>
+        <translation>Die Kurve von W ist eine Ausgleichung durch die Stufen, um %1 % angehoben, so dass keine Stufe über ihr liegt.</translation>
+    </message>
+    <message>
+        <source>directions of each series, mean of both faces</source>
+        <translation>Richtungen jeder Reihe, Mittel beider Lagen</translation>
+    </message>
+    <message>
+        <source>zenith angles of each series</source>
+        <translation>Zenitwinkel jeder Reihe</translation>
+    </message>
+    <message>
+        <source>pooled over the series, ν readings less unknowns; JCGM 100 H.3.2, E.4.3</source>
+        <translation>über die Reihen zusammengefasst, ν Ablesungen weniger Unbekannte; JCGM 100 H.3.2, E.4.3</translation>
+    </message>
+    <message>
+        <source>index error, s_i within the series; JCGM 100 4.2.3</source>
+        <translation>Indexfehler, s_i innerhalb der Reihen; JCGM 100 4.2.3</translation>
+    </message>
+    <message>
+        <source>standard deviation of a direction, measured once in both faces</source>
+        <translation>Standardabweichung einer Richtung, einmal in beiden Lagen gemessen</translation>
+    </message>
+    <message>
+        <source>standard deviation of a zenith angle, measured once in both faces</source>
+        <translation>Standardabweichung eines Zenitwinkels, einmal in beiden Lagen gemessen</translation>
+    </message>
+    <message>
+        <source>Targets stand in their directions; how far they are is not known.</source>
+        <translation>Zielpunkte stehen in ihren Richtungen; wie weit sie entfernt sind, ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>least squares of the rounds, residuals of %1 series</source>
+        <translation>kleinste Quadrate der Sätze, Residuen von %1 Reihen</translation>
+    </message>
+    <message>
+        <source>scatter of the index</source>
+        <translation>Streuung des Index</translation>
+    </message>
+    <message>
+        <source>mean of %1 readings in both faces</source>
+        <translation>Mittel von %1 Ablesungen in beiden Lagen</translation>
+    </message>
+    <message>
+        <source>index error of the vertical circle</source>
+        <translation>Indexfehler des Vertikalkreises</translation>
+    </message>
+    <message>
+        <source>the directions leave nothing that would tell their scatter: read two targets or more in two sets or more</source>
+        <translation>die Richtungen lassen nichts übrig, das ihre Streuung zeigte: zwei Zielpunkte oder mehr in zwei Sätzen oder mehr ablesen</translation>
+    </message>
+    <message>
+        <source>the zenith angles leave nothing that would tell their scatter: read targets in two sets or more</source>
+        <translation>die Zenitwinkel lassen nichts übrig, das ihre Streuung zeigte: Zielpunkte in zwei Sätzen oder mehr ablesen</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; in set %2 is read in one face only: a reading needs both</source>
+        <translation>&apos;%1&apos; in Satz %2 ist nur in einer Lage abgelesen: eine Ablesung braucht beide</translation>
+    </message>
+    <message>
+        <source>the faces of &apos;%1&apos; in set %2 differ by more than 10° from half a circle: check the faces, the target and that V is a zenith angle</source>
+        <translation>die Lagen von &apos;%1&apos; in Satz %2 unterscheiden sich um mehr als 10° von einem halben Kreis: die Lagen, den Zielpunkt und ob V ein Zenitwinkel ist prüfen</translation>
+    </message>
+    <message>
+        <source>the zenith angle of &apos;%1&apos; in set %2 in face I is not between 0° and 180°</source>
+        <translation>der Zenitwinkel von &apos;%1&apos; in Satz %2 in Lage I liegt nicht zwischen 0° und 180°</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; in set %2 has no reading</source>
+        <translation>&apos;%1&apos; in Satz %2 hat keine Ablesung</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is there twice in set %2 of series %3</source>
+        <translation>&apos;%1&apos; ist zweimal da in Satz %2 der Reihe %3</translation>
+    </message>
+    <message>
+        <source>%1 rows of readings are more than the most, %2</source>
+        <translation>%1 Zeilen mit Ablesungen sind mehr als die Höchstzahl, %2</translation>
+    </message>
+    <message>
+        <source>a: s of %1 is not larger than the stated σ</source>
+        <translation>a: s für %1 ist nicht größer als das angegebene σ</translation>
+    </message>
+    <message>
+        <source>b: s of %1 and that of the other campaign are of one σ, s²/s²</source>
+        <translation>b: s für %1 und das der anderen Kampagne gehören zu einem σ, s²/s²</translation>
+    </message>
+    <message>
+        <source>c: the index error is not different from zero</source>
+        <translation>c: der Indexfehler ist nicht von null verschieden</translation>
+    </message>
+    <message>
+        <source>An index error is seen: it leaves the mean of both faces; take it off readings in face I alone, or adjust the instrument.</source>
+        <translation>Ein Indexfehler ist zu sehen: Aus dem Mittel beider Lagen fällt er heraus; ihn von Ablesungen in Lage I allein abziehen oder das Messgerät justieren.</translation>
+    </message>
+    <message>
+        <source>the index error is the same in all series, s²/s²</source>
+        <translation>der Indexfehler ist in allen Reihen derselbe, s²/s²</translation>
+    </message>
+    <message>
+        <source>The index error changed between the series: it is not one figure, and its u holds for the mean of these series only.</source>
+        <translation>Der Indexfehler hat sich zwischen den Reihen geändert: Er ist nicht eine Zahl, und sein u gilt nur für das Mittel dieser Reihen.</translation>
+    </message>
+    <message>
+        <source>a direction</source>
+        <translation>eine Richtung</translation>
+    </message>
+    <message>
+        <source>a zenith angle</source>
+        <translation>einen Zenitwinkel</translation>
+    </message>
+    <message>
+        <source>relative</source>
+        <translation>relativ</translation>
+    </message>
+    <message>
+        <source>s of a direction, measured once in both faces</source>
+        <translation>s einer Richtung, einmal in beiden Lagen gemessen</translation>
+    </message>
+    <message>
+        <source>s of a zenith angle, measured once in both faces</source>
+        <translation>s eines Zenitwinkels, einmal in beiden Lagen gemessen</translation>
+    </message>
+    <message>
+        <source>s of a direction</source>
+        <translation>s einer Richtung</translation>
+    </message>
+    <message>
+        <source>its degrees of freedom</source>
+        <translation>dessen Freiheitsgrade</translation>
+    </message>
+    <message>
+        <source>s of a zenith angle</source>
+        <translation>s eines Zenitwinkels</translation>
+    </message>
+    <message>
+        <source>degrees of freedom of that</source>
+        <translation>Freiheitsgrade davon</translation>
+    </message>
+    <message>
+        <source>index error</source>
+        <translation>Indexfehler</translation>
+    </message>
+    <message>
+        <source>residual Hz</source>
+        <translation>Residuum Hz</translation>
+    </message>
+    <message>
+        <source>residual V</source>
+        <translation>Residuum V</translation>
+    </message>
+    <message>
+        <source>index</source>
+        <translation>Index</translation>
+    </message>
+    <message>
+        <source>theodolite</source>
+        <translation>Theodolit</translation>
+    </message>
+    <message>
+        <source>values found, without the adjustments; t in years, t_m their weighted mean</source>
+        <translation>vorgefundene Werte, ohne die Justierungen; t in Jahren, t_m ihr gewichtetes Mittel</translation>
+    </message>
+    <message>
+        <source>drift since the last calibration, on the date of use</source>
+        <translation>Drift seit der letzten Kalibrierung, am Datum der Verwendung</translation>
+    </message>
+    <message>
+        <source>value on the date of use; c is what all values share</source>
+        <translation>Wert am Datum der Verwendung; c ist, was alle Werte gemeinsam haben</translation>
+    </message>
+    <message>
+        <source>least squares, %1 calibrations</source>
+        <translation>kleinste Quadrate, %1 Kalibrierungen</translation>
+    </message>
+    <message>
+        <source>level of the line, at the mean of the dates</source>
+        <translation>Höhe der Geraden, am Mittel der Daten</translation>
+    </message>
+    <message>
+        <source>scatter about the line</source>
+        <translation>Streuung um die Gerade</translation>
+    </message>
+    <message>
+        <source>drift in a year</source>
+        <translation>Drift in einem Jahr</translation>
+    </message>
+    <message>
+        <source>scatter of one value about the line</source>
+        <translation>Streuung eines Wertes um die Gerade</translation>
+    </message>
+    <message>
+        <source>deviation that all values share</source>
+        <translation>Abweichung, die alle Werte teilen</translation>
+    </message>
+    <message>
+        <source>drift since the last calibration, %1</source>
+        <translation>Drift seit der letzten Kalibrierung, %1</translation>
+    </message>
+    <message>
+        <source>the limit is not kept even on the day of the last calibration</source>
+        <translation>die Grenze ist schon am Tag der letzten Kalibrierung nicht eingehalten</translation>
+    </message>
+    <message>
+        <source>a date of the form 2026-04-17 is needed; it is &apos;%1&apos;</source>
+        <translation>ein Datum der Form 2026-04-17 ist nötig; es ist &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>the calibration in row %1 is not after the one before it</source>
+        <translation>die Kalibrierung in Zeile %1 liegt nicht nach der vorherigen</translation>
+    </message>
+    <message>
+        <source>row %1 needs the standard uncertainty of its value</source>
+        <translation>Zeile %1 braucht die Standardunsicherheit ihres Wertes</translation>
+    </message>
+    <message>
+        <source>two calibrations have no scatter about a line: state the uncertainty of each value, or add a third</source>
+        <translation>zwei Kalibrierungen haben keine Streuung um eine Gerade: die Unsicherheit jedes Wertes angeben oder eine dritte hinzufügen</translation>
+    </message>
+    <message>
+        <source>the rule needs a limit above zero</source>
+        <translation>die Regel braucht eine Grenze über null</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is the symbol of a drift: choose another one</source>
+        <translation>&apos;%1&apos; ist das Symbol einer Drift: ein anderes wählen</translation>
+    </message>
+    <message>
+        <source>the date of use is before the last calibration</source>
+        <translation>das Datum der Verwendung liegt vor der letzten Kalibrierung</translation>
+    </message>
+    <message>
+        <source>standard uncertainty of the drift in a year</source>
+        <translation>Standardunsicherheit der Drift in einem Jahr</translation>
+    </message>
+    <message>
+        <source>drift from the last calibration to the date of use</source>
+        <translation>Drift von der letzten Kalibrierung bis zum Datum der Verwendung</translation>
+    </message>
+    <message>
+        <source>corrected: its standard uncertainty</source>
+        <translation>korrigiert: ihre Standardunsicherheit</translation>
+    </message>
+    <message>
+        <source>not corrected: half-width of a rectangular distribution</source>
+        <translation>nicht korrigiert: Halbbreite einer Rechteckverteilung</translation>
+    </message>
+    <message>
+        <source>not corrected: standard uncertainty</source>
+        <translation>nicht korrigiert: Standardunsicherheit</translation>
+    </message>
+    <message>
+        <source>The values scatter more about the line than their uncertainties say: state larger ones, or take the uncertainty from the residuals.</source>
+        <translation>Die Werte streuen mehr um die Gerade, als ihre Unsicherheiten sagen: größere angeben oder die Unsicherheit aus den Residuen nehmen.</translation>
+    </message>
+    <message>
+        <source>last calibration</source>
+        <translation>letzte Kalibrierung</translation>
+    </message>
+    <message>
+        <source>next calibration, at the latest</source>
+        <translation>nächste Kalibrierung, spätestens</translation>
+    </message>
+    <message>
+        <source>The limit is not kept even on the day of the last calibration.</source>
+        <translation>Die Grenze ist schon am Tag der letzten Kalibrierung nicht eingehalten.</translation>
+    </message>
+    <message>
+        <source>The limit would be kept for longer: the longest interval decides.</source>
+        <translation>Die Grenze würde länger eingehalten: Der längste Abstand entscheidet.</translation>
+    </message>
+    <message>
+        <source>The last day on which the figure of the rule, with k times its u, is within the limit.</source>
+        <translation>Der letzte Tag, an dem die Größe der Regel, mit k mal ihrem u, innerhalb der Grenze liegt.</translation>
+    </message>
+    <message>
+        <source>deflection, mean of the rotations</source>
+        <translation>Ausschlag, Mittel der Drehungen</translation>
+    </message>
+    <message>
+        <source>reproducibility, repeatability and reversibility errors, ISO 376</source>
+        <translation>Vergleichpräzision, Wiederholpräzision und Umkehrspanne, ISO 376</translation>
+    </message>
+    <message>
+        <source>interpolation, zero and creep errors, ISO 376</source>
+        <translation>Interpolations-, Nullpunkt- und Kriechabweichung, ISO 376</translation>
+    </message>
+    <message>
+        <source>interpolation, degree 1 to 3</source>
+        <translation>Interpolation, Grad 1 bis 3</translation>
+    </message>
+    <message>
+        <source>machine, reproducibility, repeatability, resolution, creep, zero, temperature, interpolation, EURAMET cg-4; (v/divisor)² for decreasing forces</source>
+        <translation>Maschine, Vergleichpräzision, Wiederholpräzision, Auflösung, Kriechen, Nullpunkt, Temperatur, Interpolation, EURAMET cg-4; (v/Teiler)² für fallende Kräfte</translation>
+    </message>
+    <message>
+        <source>ν forces less coefficients</source>
+        <translation>ν Kräfte weniger Koeffizienten</translation>
+    </message>
+    <message>
+        <source>force of the calibration machine</source>
+        <translation>Kraft der Kalibriermaschine</translation>
+    </message>
+    <message>
+        <source>calibration machine &apos;%1&apos;</source>
+        <translation>Kalibriermaschine &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>uncertainties of the forces</source>
+        <translation>Unsicherheiten der Kräfte</translation>
+    </message>
+    <message>
+        <source>indications after 30 s and 300 s</source>
+        <translation>Anzeigen nach 30 s und 300 s</translation>
+    </message>
+    <message>
+        <source>zero error</source>
+        <translation>Nullpunktabweichung</translation>
+    </message>
+    <message>
+        <source>largest change of the indication without load</source>
+        <translation>größte Änderung der Anzeige ohne Last</translation>
+    </message>
+    <message>
+        <source>temperature of the instrument</source>
+        <translation>Temperatur des Messgeräts</translation>
+    </message>
+    <message>
+        <source>temperature coefficient and half width</source>
+        <translation>Temperaturkoeffizient und halbe Breite</translation>
+    </message>
+    <message>
+        <source>reproducibility with rotation</source>
+        <translation>Vergleichpräzision mit Drehung</translation>
+    </message>
+    <message>
+        <source>three positions of the instrument</source>
+        <translation>drei Stellungen des Messgeräts</translation>
+    </message>
+    <message>
+        <source>mean deflection at %1</source>
+        <translation>mittlerer Ausschlag bei %1</translation>
+    </message>
+    <message>
+        <source>repeatability without rotation</source>
+        <translation>Wiederholpräzision ohne Drehung</translation>
+    </message>
+    <message>
+        <source>two series in one position</source>
+        <translation>zwei Reihen in einer Stellung</translation>
+    </message>
+    <message>
+        <source>resolution of the indicator</source>
+        <translation>Auflösung des Anzeigegeräts</translation>
+    </message>
+    <message>
+        <source>difference of two indications</source>
+        <translation>Differenz zweier Anzeigen</translation>
+    </message>
+    <message>
+        <source>decreasing against increasing force</source>
+        <translation>fallende gegen steigende Kraft</translation>
+    </message>
+    <message>
+        <source>interpolated less mean deflection at %1</source>
+        <translation>interpolierter minus mittlerer Ausschlag bei %1</translation>
+    </message>
+    <message>
+        <source>residuals of %1 forces</source>
+        <translation>Residuen von %1 Kräften</translation>
+    </message>
+    <message>
+        <source>interpolated deflection at %1</source>
+        <translation>interpolierter Ausschlag bei %1</translation>
+    </message>
+    <message>
+        <source>coefficient of F to the power %1</source>
+        <translation>Koeffizient von F zur Potenz %1</translation>
+    </message>
+    <message>
+        <source>series %1 has no indication without load</source>
+        <translation>Reihe %1 hat keine Anzeige ohne Last</translation>
+    </message>
+    <message>
+        <source>series %1 has two rows without load</source>
+        <translation>Reihe %1 hat zwei Zeilen ohne Last</translation>
+    </message>
+    <message>
+        <source>the force of %1 is there twice: readings of a force are one row</source>
+        <translation>die Kraft von %1 ist zweimal da: Ablesungen bei einer Kraft sind eine Zeile</translation>
+    </message>
+    <message>
+        <source>nothing says the uncertainty of the force of %1: it needs a calibration machine or a U of its own</source>
+        <translation>nichts sagt die Unsicherheit der Kraft von %1: sie braucht eine Kalibriermaschine oder ein eigenes U</translation>
+    </message>
+    <message>
+        <source>%1 forces are more than the most, %2</source>
+        <translation>%1 Kräfte sind mehr als die Höchstzahl, %2</translation>
+    </message>
+    <message>
+        <source>%1 forces leave nothing that would tell how well a polynomial of %2 coefficients fits: calibrate more forces or lower the degree</source>
+        <translation>%1 Kräfte lassen nichts übrig, das zeigte, wie gut ein Polynom mit %2 Koeffizienten passt: mehr Kräfte kalibrieren oder den Grad verringern</translation>
+    </message>
+    <message>
+        <source>%1 forces do not determine a polynomial of degree %2</source>
+        <translation>%1 Kräfte bestimmen kein Polynom vom Grad %2</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; states no uncertainty of %2</source>
+        <translation>&apos;%1&apos; gibt keine Unsicherheit von %2 an</translation>
+    </message>
+    <message>
+        <source>creep needs the indications after 30 s and after 300 s</source>
+        <translation>das Kriechen braucht die Anzeigen nach 30 s und nach 300 s</translation>
+    </message>
+    <message>
+        <source>the deflection of series %1 does not grow up to %2: check the indications, and those without load</source>
+        <translation>der Ausschlag der Reihe %1 wächst nicht bis %2: die Anzeigen prüfen, auch die ohne Last</translation>
+    </message>
+    <message>
+        <source>for use with decreasing forces an indication X4′ or X6′ has to be read at %1</source>
+        <translation>für den Gebrauch mit fallenden Kräften muss bei %1 eine Anzeige X4′ oder X6′ abgelesen werden</translation>
+    </message>
+    <message>
+        <source>force %1</source>
+        <translation>Kraft %1</translation>
+    </message>
+    <message>
+        <source>the date of &apos;%1&apos; must be of the form 2026-04-17; it is &apos;%2&apos;</source>
+        <translation>das Datum von &apos;%1&apos; muss die Form 2026-04-17 haben; es ist &apos;%2&apos;</translation>
+    </message>
+    <message>
+        <source>the date of &apos;%1&apos; is before that of the step before it</source>
+        <translation>das Datum von &apos;%1&apos; liegt vor dem des Schrittes davor</translation>
+    </message>
+    <message>
+        <source>a step of the review</source>
+        <translation>ein Schritt der Prüfung</translation>
+    </message>
+    <message>
+        <source>a part that was released</source>
+        <translation>ein Teil, der freigegeben wurde</translation>
+    </message>
+    <message>
+        <source>an entry of the log</source>
+        <translation>ein Eintrag des Protokolls</translation>
+    </message>
+    <message>
+        <source>the review</source>
+        <translation>die Prüfung</translation>
+    </message>
+    <message>
+        <source>the title</source>
+        <translation>der Titel</translation>
+    </message>
+    <message>
+        <source>the notes of the project</source>
+        <translation>die Notizen des Projekts</translation>
+    </message>
+    <message>
+        <source>the author</source>
+        <translation>der Autor</translation>
+    </message>
+    <message>
+        <source>the number of the project</source>
+        <translation>die Nummer des Projekts</translation>
+    </message>
+    <message>
+        <source>the texts of the certificate</source>
+        <translation>die Texte des Kalibrierscheins</translation>
+    </message>
+    <message>
+        <source>what the replaced certificate stated</source>
+        <translation>was der ersetzte Kalibrierschein angab</translation>
+    </message>
+    <message>
+        <source>what goes into the report</source>
+        <translation>was in den Bericht kommt</translation>
+    </message>
+    <message>
+        <source>how results are stated</source>
+        <translation>wie Ergebnisse angegeben werden</translation>
+    </message>
+    <message>
+        <source>the names and dates of the review</source>
+        <translation>die Namen und Daten der Prüfung</translation>
+    </message>
+    <message>
+        <source>which assets and analyses there are, or their order</source>
+        <translation>welche Betriebsmittel und Analysen es gibt, oder ihre Reihenfolge</translation>
+    </message>
+    <message>
+        <source>asset %1</source>
+        <translation>Betriebsmittel %1</translation>
+    </message>
+    <message>
+        <source>analysis %1</source>
+        <translation>Analyse %1</translation>
+    </message>
+    <message>
+        <source>texts or certificates of asset %1</source>
+        <translation>Texte oder Kalibrierscheine von Betriebsmittel %1</translation>
+    </message>
+    <message>
+        <source>texts, requirements or designs of analysis %1</source>
+        <translation>Texte, Anforderungen oder Entwürfe von Analyse %1</translation>
+    </message>
+    <message>
+        <source>%1, which is new</source>
+        <translation>%1, neu hinzugekommen</translation>
+    </message>
+    <message>
+        <source>%1, which is no longer there</source>
+        <translation>%1, nicht mehr vorhanden</translation>
+    </message>
+    <message>
+        <source>%1 on %2</source>
+        <translation>%1 am %2</translation>
+    </message>
+    <message>
+        <source>the record of the release</source>
+        <translation>die Aufzeichnung der Freigabe</translation>
+    </message>
+    <message>
+        <source>draft: it was not released</source>
+        <translation>Entwurf: es wurde nicht freigegeben</translation>
+    </message>
+    <message>
+        <source>released by %1, digest %2</source>
+        <translation>freigegeben von %1, Hashwert %2</translation>
+    </message>
+    <message>
+        <source>draft again: changed since it was released by %1: %2</source>
+        <translation>wieder Entwurf: geändert seit der Freigabe durch %1: %2</translation>
+    </message>
+    <message>
+        <source>it is not released: &apos;%1&apos; needs a name and a date of the form 2026-04-17</source>
+        <translation>es ist nicht freigegeben: &apos;%1&apos; braucht einen Namen und ein Datum der Form 2026-04-17</translation>
+    </message>
+    <message>
+        <source>a text of the replaced certificate</source>
+        <translation>ein Text des ersetzten Kalibrierscheins</translation>
+    </message>
+    <message>
+        <source>a result of the replaced certificate</source>
+        <translation>ein Ergebnis des ersetzten Kalibrierscheins</translation>
+    </message>
+    <message>
+        <source>the certificate cannot have been issued before the one that it replaces</source>
+        <translation>der Kalibrierschein kann nicht vor dem ausgestellt worden sein, den er ersetzt</translation>
+    </message>
+    <message>
+        <source>an amended certificate has a number of its own, not that of the one that it replaces</source>
+        <translation>ein berichtigter Kalibrierschein hat eine eigene Nummer, nicht die des ersetzten</translation>
+    </message>
+    <message>
+        <source>%1 directions are of face two, as the zenith angles of their sights say</source>
+        <translation>%1 Richtungen sind aus Lage zwei, wie die Zenitwinkel ihrer Zielungen sagen</translation>
+    </message>
+    <message>
+        <source>Draft</source>
+        <translation>Entwurf</translation>
+    </message>
+    <message>
+        <source>it was not released</source>
+        <translation>es wurde nicht freigegeben</translation>
+    </message>
+    <message>
+        <source>changed since the release by %1: %2</source>
+        <translation>geändert seit der Freigabe durch %1: %2</translation>
+    </message>
+    <message>
+        <source>Digest of the release</source>
+        <translation>Hashwert der Freigabe</translation>
+    </message>
+    <message>
+        <source>the certificate that is to be replaced has no number: there is none to refer to</source>
+        <translation>der Kalibrierschein, der ersetzt werden soll, hat keine Nummer: es gibt keine, auf die man verweisen kann</translation>
+    </message>
+    <message>
+        <source>an amended certificate has a number of its own; %1 is that of the one that it replaces</source>
+        <translation>ein berichtigter Kalibrierschein hat eine eigene Nummer; %1 ist die des ersetzten</translation>
+    </message>
+    <message>
+        <source>the date of issue must be of the form 2026-04-17; it is &apos;%1&apos;</source>
+        <translation>das Datum der Ausstellung muss die Form 2026-04-17 haben; es ist &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>Table %1, continued</source>
+        <translation>Tabelle %1, Fortsetzung</translation>
+    </message>
+    <message>
+        <source>Errors after ISO 376</source>
+        <translation>Abweichungen nach ISO 376</translation>
+    </message>
+    <message>
+        <source>mean deflection</source>
+        <translation>mittlerer Ausschlag</translation>
+    </message>
+    <message>
+        <source>Classes by the limits entered</source>
+        <translation>Klassen nach den eingegebenen Grenzen</translation>
+    </message>
+    <message>
+        <source>Relative standard uncertainties and W</source>
+        <translation>Relative Standardunsicherheiten und W</translation>
+    </message>
+    <message>
+        <source>Curves over the force</source>
+        <translation>Kurven über der Kraft</translation>
+    </message>
+    <message>
+        <source>power of the force</source>
+        <translation>Potenz der Kraft</translation>
+    </message>
+    <message>
+        <source>Errors over the force</source>
+        <translation>Abweichungen über der Kraft</translation>
+    </message>
+    <message>
+        <source>relative error</source>
+        <translation>relative Abweichung</translation>
+    </message>
+    <message>
+        <source>Relative expanded uncertainty over the force</source>
+        <translation>Relative erweiterte Unsicherheit über der Kraft</translation>
+    </message>
+    <message>
+        <source>Drift</source>
+        <translation>Drift</translation>
+    </message>
+    <message>
+        <source>Calibrations and their residuals</source>
+        <translation>Kalibrierungen und ihre Residuen</translation>
+    </message>
+    <message>
+        <source>Change since the first calibration</source>
+        <translation>Änderung seit der ersten Kalibrierung</translation>
+    </message>
+    <message>
+        <source>years since the first calibration</source>
+        <translation>Jahre seit der ersten Kalibrierung</translation>
+    </message>
+    <message>
+        <source>line ± k u</source>
+        <translation>Gerade ± k u</translation>
+    </message>
+    <message>
+        <source>Series</source>
+        <translation>Reihen</translation>
+    </message>
+    <message>
+        <source>Residuals of the directions</source>
+        <translation>Residuen der Richtungen</translation>
+    </message>
+    <message>
+        <source>Residuals of the zenith angles</source>
+        <translation>Residuen der Zenitwinkel</translation>
     </message>
 </context>
 <context>
@@ -20463,6 +22015,10 @@ An diesen Stellen steht „nicht angegeben“. Es sind Felder der Seite des Proj
         <source>What Every Analysis &amp;Has</source>
         <translation>Was jede &amp;Analyse hat</translation>
     </message>
+    <message>
+        <source>Re&amp;view and Release</source>
+        <translation>Prüfung und &amp;Freigabe</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::HelpPane</name>
@@ -21525,6 +23081,18 @@ Gewählt: %2</translation>
         <source>or</source>
         <translation>oder</translation>
     </message>
+    <message>
+        <source>Project: review</source>
+        <translation>Projekt: Prüfung</translation>
+    </message>
+    <message>
+        <source>certificate %1</source>
+        <translation>Kalibrierschein %1</translation>
+    </message>
+    <message>
+        <source>date of the measurement</source>
+        <translation>Datum der Messung</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::ProblemsPane</name>
@@ -21812,6 +23380,10 @@ Verwendet von: %1. Dort steht ein Fehler, bis etwas anderes verwendet wird.</tra
         <source>Certificates</source>
         <translation>Kalibrierscheine</translation>
     </message>
+    <message>
+        <source>Review</source>
+        <translation>Prüfung</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::QuantityEdit</name>
@@ -21981,6 +23553,10 @@ Verwendet von: %1. Dort steht ein Fehler, bis etwas anderes verwendet wird.</tra
     <message>
         <source>Requirements for Results</source>
         <translation>Anforderungen an Ergebnisse</translation>
+    </message>
+    <message>
+        <source>Left out, for their unit is another: %1.</source>
+        <translation>Weggelassen, weil ihre Einheit eine andere ist: %1.</translation>
     </message>
 </context>
 <context>
@@ -22174,6 +23750,88 @@ Verwendet von: %1. Dort steht ein Fehler, bis etwas anderes verwendet wird.</tra
     <message>
         <source>Seen</source>
         <translation>Gesehen</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::ReviewForm</name>
+    <message>
+        <source>draft</source>
+        <translation>Entwurf</translation>
+    </message>
+    <message>
+        <source>released</source>
+        <translation>freigegeben</translation>
+    </message>
+    <message>
+        <source>draft again</source>
+        <translation>wieder Entwurf</translation>
+    </message>
+    <message>
+        <source>A release states in report and certificate who is responsible, and a digest by which every later change shows.</source>
+        <translation>Eine Freigabe nennt in Bericht und Kalibrierschein, wer verantwortlich ist, und einen Hashwert, an dem sich jede spätere Änderung zeigt.</translation>
+    </message>
+    <message>
+        <source>Release</source>
+        <translation>Freigeben</translation>
+    </message>
+    <message>
+        <source>Who</source>
+        <translation>Wer</translation>
+    </message>
+    <message>
+        <source>What was done</source>
+        <translation>Was getan wurde</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Datum</translation>
+    </message>
+    <message>
+        <source>The day of this step; empty: that of the release.</source>
+        <translation>Der Tag dieses Schrittes; leer: der der Freigabe.</translation>
+    </message>
+    <message>
+        <source>Change %1</source>
+        <translation>%1 ändern</translation>
+    </message>
+    <message>
+        <source>Add to the Log</source>
+        <translation>Zum Protokoll hinzufügen</translation>
+    </message>
+    <message>
+        <source>Release the project</source>
+        <translation>Das Projekt freigeben</translation>
+    </message>
+    <message>
+        <source>Add to the log</source>
+        <translation>Zum Protokoll hinzufügen</translation>
+    </message>
+    <message>
+        <source>A project with errors is not released.</source>
+        <translation>Ein Projekt mit Fehlern wird nicht freigegeben.</translation>
+    </message>
+    <message>
+        <source>All three names are needed.</source>
+        <translation>Alle drei Namen sind nötig.</translation>
+    </message>
+    <message>
+        <source>Takes the digest of the project as it is now</source>
+        <translation>Nimmt den Hashwert des Projekts, wie es jetzt ist</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::RowTools</name>
+    <message>
+        <source>Add row</source>
+        <translation>Zeile hinzufügen</translation>
+    </message>
+    <message>
+        <source>Delete rows</source>
+        <translation>Zeilen löschen</translation>
+    </message>
+    <message>
+        <source>Fill down</source>
+        <translation>Nach unten ausfüllen</translation>
     </message>
 </context>
 <context>
@@ -23174,14 +24832,6 @@ Verwendet von: %1. Dort steht ein Fehler, bis etwas anderes verwendet wird.</tra
         <translation>In das Projekt übernehmen</translation>
     </message>
     <message>
-        <source>Add row</source>
-        <translation>Zeile hinzufügen</translation>
-    </message>
-    <message>
-        <source>Delete rows</source>
-        <translation>Zeilen löschen</translation>
-    </message>
-    <message>
         <source>Import CSV …</source>
         <translation>CSV importieren …</translation>
     </message>
@@ -23212,10 +24862,6 @@ Verwendet von: %1. Dort steht ein Fehler, bis etwas anderes verwendet wird.</tra
     <message>
         <source>Shows also the columns that no row has something in</source>
         <translation>Zeigt auch die Spalten, in denen keine Zeile etwas hat</translation>
-    </message>
-    <message>
-        <source>Fill down</source>
-        <translation>Nach unten ausfüllen</translation>
     </message>
 </context>
 <context>

@@ -14741,10 +14741,6 @@ nu 18 detrás de cualquiera de ellos: grados de libertad</translation>
         <translation>%1 no es positiva</translation>
     </message>
     <message>
-        <source>%1 is not between 0 and half a turn: state the mean of both faces</source>
-        <translation>%1 no está entre 0 y media vuelta: indique la media de círculo directo e inverso</translation>
-    </message>
-    <message>
         <source>%1 needs the height of %2, which is not part of the network</source>
         <translation>%1 necesita la altura de %2, que no forma parte de la red</translation>
     </message>
@@ -16349,10 +16345,6 @@ nu 18 detrás de cualquiera de ellos: grados de libertad</translation>
         <translation>Nombre del instrumento, como en la columna de las lecturas; vacío: de todas las lecturas que no tienen ninguno.</translation>
     </message>
     <message>
-        <source>What it does to all of its readings alike: its zero is added to distances, by its scale (weather correction included) they are longer, refraction bends its lines of sight, its index is added to zenith angles, its collimation over the sine of the zenith angle to directions.</source>
-        <translation>Lo que hace a todas sus lecturas por igual: su cero se suma a las distancias; por su escala (corrección meteorológica incluida) son más largas; la refracción curva sus visuales; su índice se suma a los ángulos cenitales; su colimación, dividida por el seno del ángulo cenital, a las direcciones.</translation>
-    </message>
-    <message>
         <source>zero of distances</source>
         <translation>cero de las distancias</translation>
     </message>
@@ -17713,10 +17705,6 @@ nu 18 detrás de cualquiera de ellos: grados de libertad</translation>
         <translation>ciclo de desniveles, %1</translation>
     </message>
     <message>
-        <source>before the adjustment: %1 closes with %2 %3, %4 times its u</source>
-        <translation>antes de la compensación: %1 cierra con %2 %3, %4 veces su u</translation>
-    </message>
-    <message>
         <source>and %1 more closures are beyond 3.29 times their u</source>
         <translation>y %1 cierres más superan 3.29 veces su u</translation>
     </message>
@@ -18127,6 +18115,1570 @@ nu 18 detrás de cualquiera de ellos: grados de libertad</translation>
     <message>
         <source>data sheet</source>
         <translation>hoja de datos</translation>
+    </message>
+    <message>
+        <source>face</source>
+        <translation>cara</translation>
+    </message>
+    <message>
+        <source>Of a direction, azimuth or zenith angle: the face in which it was read, as it was read. A zenith angle beyond half a turn is of face two anyway. It is brought to face one; index and collimation change it the other way.</source>
+        <translation>De una dirección, un acimut o un ángulo cenital: la cara en la que se leyó, tal como se leyó. Un ángulo cenital de más de media vuelta es de todos modos de la cara dos. Se reduce a la cara uno; índice y colimación lo cambian en sentido contrario.</translation>
+    </message>
+    <message>
+        <source>one</source>
+        <translation>uno</translation>
+    </message>
+    <message>
+        <source>two</source>
+        <translation>dos</translation>
+    </message>
+    <message>
+        <source>What it does to all of its readings alike: its zero is added to distances, by its scale (weather correction included) they are longer, refraction bends its lines of sight, its index is added to zenith angles, its collimation over the sine of the zenith angle to directions; in face two both are taken off.</source>
+        <translation>Lo que hace con todas sus lecturas por igual: su cero se suma a las distancias, en su escala (incluida la corrección meteorológica) son más largas, la refracción curva sus visuales, su índice se suma a los ángulos cenitales, su colimación dividida por el seno del ángulo cenital a las direcciones; en la cara dos ambos se restan.</translation>
+    </message>
+    <message>
+        <source>Theodolite in rounds</source>
+        <translation>Teodolito por vueltas de horizonte</translation>
+    </message>
+    <message>
+        <source>Standard deviations of a direction and of a zenith angle measured once in both faces, and the index error of the vertical circle, from rounds to targets as ISO 17123-3 has them, with their uncertainties and the statistical tests.</source>
+        <translation>Desviaciones típicas de una dirección y de un ángulo cenital medidos una vez en ambas caras, y el error de índice del círculo vertical, a partir de vueltas de horizonte a dianas como las pide ISO 17123-3, con sus incertidumbres y las pruebas estadísticas.</translation>
+    </message>
+    <message>
+        <source>Any number of series, sets and targets counts, also with readings left out; four series of three sets of five targets leave 32 degrees of freedom for directions and 40 for zenith angles.</source>
+        <translation>Vale cualquier número de series, conjuntos y dianas, también con lecturas omitidas; cuatro series de tres conjuntos de cinco dianas dejan 32 grados de libertad para las direcciones y 40 para los ángulos cenitales.</translation>
+    </message>
+    <message>
+        <source>The index error is positive where a zenith angle in face I reads too large. Its sign and the estimate of its uncertainty from its own scatter are those of this program; hold them against the text of the standard before a sheet names it.</source>
+        <translation>El error de índice es positivo donde un ángulo cenital en la cara I se lee demasiado grande. Su signo y la estimación de su incertidumbre a partir de su propia dispersión son los de este programa; contrástelos con el texto de la norma antes de que una hoja la nombre.</translation>
+    </message>
+    <message>
+        <source>That the index error is the same in all series is a test of this program.</source>
+        <translation>Que el error de índice sea el mismo en todas las series es una prueba de este programa.</translation>
+    </message>
+    <message>
+        <source>A mean of both faces says nothing of collimation and of the tilt of the axes, which it does not contain.</source>
+        <translation>Una media de ambas caras no dice nada de la colimación ni de la inclinación de los ejes, que no contiene.</translation>
+    </message>
+    <message>
+        <source>A row for each target of each set, with the readings in both faces: directions, zenith angles, or both. Typed, pasted or from a CSV file.</source>
+        <translation>Una fila por cada diana de cada conjunto, con las lecturas en ambas caras: direcciones, ángulos cenitales o ambos. Tecleadas, pegadas o de un archivo CSV.</translation>
+    </message>
+    <message>
+        <source>Number of the series; within one the instrument stands unchanged. Empty: 1.</source>
+        <translation>Número de la serie; dentro de una serie el instrumento permanece sin cambios. Vacío: 1.</translation>
+    </message>
+    <message>
+        <source>Number of the set (round) within its series.</source>
+        <translation>Número del conjunto (vuelta) dentro de su serie.</translation>
+    </message>
+    <message>
+        <source>Hz I</source>
+        <translation>Hz I</translation>
+    </message>
+    <message>
+        <source>Horizontal circle in face I.</source>
+        <translation>Círculo horizontal en la cara I.</translation>
+    </message>
+    <message>
+        <source>Hz II</source>
+        <translation>Hz II</translation>
+    </message>
+    <message>
+        <source>Horizontal circle in face II.</source>
+        <translation>Círculo horizontal en la cara II.</translation>
+    </message>
+    <message>
+        <source>V I</source>
+        <translation>V I</translation>
+    </message>
+    <message>
+        <source>Zenith angle in face I: 90° on the horizon.</source>
+        <translation>Ángulo cenital en la cara I: 90° en el horizonte.</translation>
+    </message>
+    <message>
+        <source>V II</source>
+        <translation>V II</translation>
+    </message>
+    <message>
+        <source>Zenith angle in face II: 270° on the horizon.</source>
+        <translation>Ángulo cenital en la cara II: 270° en el horizonte.</translation>
+    </message>
+    <message>
+        <source>σ of a direction, stated or wanted</source>
+        <translation>σ de una dirección, indicada o deseada</translation>
+    </message>
+    <message>
+        <source>Standard deviation, measured once in both faces, that test a holds s against: of the maker, or what a job needs. Empty: no test a.</source>
+        <translation>Desviación típica, medida una vez en ambas caras, con la que la prueba a contrasta s: la del fabricante, o la que un trabajo necesita. Vacío: sin prueba a.</translation>
+    </message>
+    <message>
+        <source>s of a direction, another campaign</source>
+        <translation>s de una dirección, otra campaña</translation>
+    </message>
+    <message>
+        <source>Experimental standard deviation that test b compares s with: of another instrument, observer or day. Empty: no test b.</source>
+        <translation>Desviación típica experimental con la que la prueba b compara s: de otro instrumento, de otro observador o de otro día. Vacío: sin prueba b.</translation>
+    </message>
+    <message>
+        <source>Degrees of freedom of that s</source>
+        <translation>Grados de libertad de esa s</translation>
+    </message>
+    <message>
+        <source>Of the s of the other campaign; the default is that of four series of three sets of five targets.</source>
+        <translation>De la s de la otra campaña; el valor predeterminado es el de cuatro series de tres conjuntos de cinco dianas.</translation>
+    </message>
+    <message>
+        <source>σ of a zenith angle, stated or wanted</source>
+        <translation>σ de un ángulo cenital, indicada o deseada</translation>
+    </message>
+    <message>
+        <source>s of a zenith angle, another campaign</source>
+        <translation>s de un ángulo cenital, otra campaña</translation>
+    </message>
+    <message>
+        <source>History of an instrument</source>
+        <translation>Historial de un instrumento</translation>
+    </message>
+    <message>
+        <source>The drift of an instrument or standard from what its calibrations found, with its uncertainty: the component for its next use, and the day on which its next calibration is due.</source>
+        <translation>La deriva de un instrumento o patrón a partir de lo que encontraron sus calibraciones, con su incertidumbre: la componente para su próximo uso, y el día en que corresponde su próxima calibración.</translation>
+    </message>
+    <message>
+        <source>The drift is taken as linear. Residuals in the evaluation show whether it is.</source>
+        <translation>La deriva se supone lineal. Los residuos de la evaluación muestran si lo es.</translation>
+    </message>
+    <message>
+        <source>Adjustments are taken out of the series by their differences as left less as found; these count as exact, because both are values of one calibration.</source>
+        <translation>Los ajustes se eliminan de la serie mediante sus diferencias, valor dejado menos valor encontrado; estas cuentan como exactas, porque ambos son valores de una misma calibración.</translation>
+    </message>
+    <message>
+        <source>What all calibrations share has no part in the drift. The scatter about the line is part of the value on a date of use: the instrument may lie off its line as it did before.</source>
+        <translation>Lo que comparten todas las calibraciones no interviene en la deriva. La dispersión en torno a la recta forma parte del valor en una fecha de uso: el instrumento puede apartarse de su recta como antes.</translation>
+    </message>
+    <message>
+        <source>A year has 365.25 days.</source>
+        <translation>Un año tiene 365,25 días.</translation>
+    </message>
+    <message>
+        <source>Of the value.</source>
+        <translation>Del valor.</translation>
+    </message>
+    <message>
+        <source>What the calibrations state.</source>
+        <translation>Lo que indican las calibraciones.</translation>
+    </message>
+    <message>
+        <source>In which the values are given.</source>
+        <translation>En la que se dan los valores.</translation>
+    </message>
+    <message>
+        <source>Calibrations</source>
+        <translation>Calibraciones</translation>
+    </message>
+    <message>
+        <source>What each calibration found, typed, pasted or from a CSV file.</source>
+        <translation>Lo que encontró cada calibración, tecleado, pegado o de un archivo CSV.</translation>
+    </message>
+    <message>
+        <source>date</source>
+        <translation>fecha</translation>
+    </message>
+    <message>
+        <source>Of the calibration: 2026-04-17. Earlier ones stand above.</source>
+        <translation>De la calibración: 2026-04-17. Las anteriores van arriba.</translation>
+    </message>
+    <message>
+        <source>as found</source>
+        <translation>valor encontrado</translation>
+    </message>
+    <message>
+        <source>Value or deviation before an adjustment, in the unit.</source>
+        <translation>Valor o desviación antes de un ajuste, en la unidad.</translation>
+    </message>
+    <message>
+        <source>as left</source>
+        <translation>valor dejado</translation>
+    </message>
+    <message>
+        <source>After an adjustment, in the unit; empty: not adjusted.</source>
+        <translation>Después de un ajuste, en la unidad; vacío: sin ajuste.</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of this value alone, in the unit. Used, and needed, with stated uncertainties.</source>
+        <translation>Incertidumbre típica de este valor solo, en la unidad. Se usa, y es necesaria, con incertidumbres indicadas.</translation>
+    </message>
+    <message>
+        <source>From the scatter about the line (three calibrations or more), or as stated for each value.</source>
+        <translation>De la dispersión en torno a la recta (tres calibraciones o más), o la indicada para cada valor.</translation>
+    </message>
+    <message>
+        <source>Common u</source>
+        <translation>u común</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of a deviation that all values share, as that of the laboratory&apos;s standard, in the unit. It is none of the drift.</source>
+        <translation>Incertidumbre típica de una desviación que comparten todos los valores, como la del patrón del laboratorio, en la unidad. No forma parte de la deriva.</translation>
+    </message>
+    <message>
+        <source>Date of use</source>
+        <translation>Fecha de uso</translation>
+    </message>
+    <message>
+        <source>The value and the drift on that day: 2026-11-28; empty: not asked.</source>
+        <translation>El valor y la deriva en ese día: 2026-11-28; vacío: no se pide.</translation>
+    </message>
+    <message>
+        <source>Next calibration</source>
+        <translation>Próxima calibración</translation>
+    </message>
+    <message>
+        <source>Rule</source>
+        <translation>Regla</translation>
+    </message>
+    <message>
+        <source>What must stay within the limit until the next calibration, with k times its u.</source>
+        <translation>Lo que debe permanecer dentro del límite hasta la próxima calibración, con k veces su u.</translation>
+    </message>
+    <message>
+        <source>the drift since the last calibration</source>
+        <translation>la deriva desde la última calibración</translation>
+    </message>
+    <message>
+        <source>the deviation from the nominal value</source>
+        <translation>la desviación respecto del valor nominal</translation>
+    </message>
+    <message>
+        <source>Limit</source>
+        <translation>Límite</translation>
+    </message>
+    <message>
+        <source>In the unit.</source>
+        <translation>En la unidad.</translation>
+    </message>
+    <message>
+        <source>Nominal value</source>
+        <translation>Valor nominal</translation>
+    </message>
+    <message>
+        <source>In the unit; 0 for deviations.</source>
+        <translation>En la unidad; 0 para desviaciones.</translation>
+    </message>
+    <message>
+        <source>k of the rule</source>
+        <translation>k de la regla</translation>
+    </message>
+    <message>
+        <source>Multiple of u that is added.</source>
+        <translation>Múltiplo de u que se suma.</translation>
+    </message>
+    <message>
+        <source>Longest interval</source>
+        <translation>Intervalo máximo</translation>
+    </message>
+    <message>
+        <source>Years after which it is due in any case.</source>
+        <translation>Años tras los cuales corresponde en todo caso.</translation>
+    </message>
+    <message>
+        <source>Force-proving instrument</source>
+        <translation>Instrumento de medida de fuerza</translation>
+    </message>
+    <message>
+        <source>Errors of a force transducer as ISO 376 has them, from indications under calibration forces in three positions, its interpolation with covariance, W over the force with all its parts as EURAMET cg-4 combines them, and its class by limits that are entered.</source>
+        <translation>Errores de un transductor de fuerza según ISO 376, a partir de indicaciones con fuerzas de calibración en tres posiciones, su interpolación con covarianza, W en función de la fuerza con todas sus partes tal como las combina EURAMET cg-4, y su clase según límites que se introducen.</translation>
+    </message>
+    <message>
+        <source>Formulas are those in common use; hold them against the texts of ISO 376 and EURAMET cg-4 before a certificate names them. Limits of classes are not built in.</source>
+        <translation>Las fórmulas son las de uso común; contrástelas con los textos de ISO 376 y EURAMET cg-4 antes de que un certificado los nombre. No hay incorporados límites de clases.</translation>
+    </message>
+    <message>
+        <source>W of the table has the coverage factor that is entered. Results have the one of their degrees of freedom: three rotations leave two, which k = 2 does not know.</source>
+        <translation>W de la tabla tiene el factor de cobertura que se introduce. Los resultados tienen el de sus grados de libertad: tres rotaciones dejan dos, lo que k = 2 no sabe.</translation>
+    </message>
+    <message>
+        <source>The uncertainty of the machine&apos;s force, creep, zero and temperature act at all forces alike and are common to them; the rotations keep the covariance between the forces that was seen. What is read at one force is its own.</source>
+        <translation>La incertidumbre de la fuerza de la máquina, la fluencia, el cero y la temperatura actúan por igual en todas las fuerzas y les son comunes; las rotaciones conservan la covarianza entre las fuerzas que se observó. Lo que se lee en una fuerza es solo de ella.</translation>
+    </message>
+    <message>
+        <source>The coefficients have the covariance of the mean deflections; the residuals of the interpolation count at the forces, not in the coefficients.</source>
+        <translation>Los coeficientes tienen la covarianza de las deflexiones medias; los residuos de la interpolación cuentan en las fuerzas, no en los coeficientes.</translation>
+    </message>
+    <message>
+        <source>Drift since the calibration, another indicator and other conditions of use are not part of W.</source>
+        <translation>La deriva desde la calibración, otro indicador y otras condiciones de uso no forman parte de W.</translation>
+    </message>
+    <message>
+        <source>Forces and indications</source>
+        <translation>Fuerzas e indicaciones</translation>
+    </message>
+    <message>
+        <source>A row for each calibration force: two series in one position, one after each of two rotations; decreasing forces where they were read. Typed, pasted or from a CSV file.</source>
+        <translation>Una fila por cada fuerza de calibración: dos series en una posición, una después de cada una de dos rotaciones; fuerzas decrecientes donde se leyeron. Tecleadas, pegadas o de un archivo CSV.</translation>
+    </message>
+    <message>
+        <source>Of the calibration machine; its unit is that of results.</source>
+        <translation>De la máquina de calibración; su unidad es la de los resultados.</translation>
+    </message>
+    <message>
+        <source>X1</source>
+        <translation>X1</translation>
+    </message>
+    <message>
+        <source>First position, increasing force.</source>
+        <translation>Primera posición, fuerza creciente.</translation>
+    </message>
+    <message>
+        <source>X2</source>
+        <translation>X2</translation>
+    </message>
+    <message>
+        <source>The same position again.</source>
+        <translation>La misma posición otra vez.</translation>
+    </message>
+    <message>
+        <source>X3</source>
+        <translation>X3</translation>
+    </message>
+    <message>
+        <source>After the first rotation, increasing force.</source>
+        <translation>Después de la primera rotación, fuerza creciente.</translation>
+    </message>
+    <message>
+        <source>X4′</source>
+        <translation>X4′</translation>
+    </message>
+    <message>
+        <source>The same position as X3, decreasing force; empty: not read at this force.</source>
+        <translation>La misma posición que X3, fuerza decreciente; vacío: no se leyó con esta fuerza.</translation>
+    </message>
+    <message>
+        <source>X5</source>
+        <translation>X5</translation>
+    </message>
+    <message>
+        <source>After the second rotation, increasing force.</source>
+        <translation>Después de la segunda rotación, fuerza creciente.</translation>
+    </message>
+    <message>
+        <source>X6′</source>
+        <translation>X6′</translation>
+    </message>
+    <message>
+        <source>The same position as X5, decreasing force; empty: not read at this force.</source>
+        <translation>La misma posición que X5, fuerza decreciente; vacío: no se leyó con esta fuerza.</translation>
+    </message>
+    <message>
+        <source>U of the force</source>
+        <translation>U de la fuerza</translation>
+    </message>
+    <message>
+        <source>Relative expanded uncertainty (k = 2) of this force; empty: that of the calibration machine.</source>
+        <translation>Incertidumbre expandida relativa (k = 2) de esta fuerza; vacío: la de la máquina de calibración.</translation>
+    </message>
+    <message>
+        <source>Indications without load</source>
+        <translation>Indicaciones sin carga</translation>
+    </message>
+    <message>
+        <source>Before and after each series with increasing forces. Empty: the indications are deflections already, and there is no zero error.</source>
+        <translation>Antes y después de cada serie con fuerzas crecientes. Vacío: las indicaciones ya son deflexiones, y no hay error de cero.</translation>
+    </message>
+    <message>
+        <source>Series with increasing forces.</source>
+        <translation>Serie con fuerzas crecientes.</translation>
+    </message>
+    <message>
+        <source>Indication without load before the series.</source>
+        <translation>Indicación sin carga antes de la serie.</translation>
+    </message>
+    <message>
+        <source>Indication without load after it, or after the decreasing forces that follow upon it.</source>
+        <translation>Indicación sin carga después de ella, o después de las fuerzas decrecientes que la siguen.</translation>
+    </message>
+    <message>
+        <source>Smallest step of the indication, or the half range over which it fluctuates.</source>
+        <translation>Menor escalón de la indicación, o la mitad del intervalo en que fluctúa.</translation>
+    </message>
+    <message>
+        <source>Creep: indication after 30 s</source>
+        <translation>Fluencia: indicación a los 30 s</translation>
+    </message>
+    <message>
+        <source>Without load, 30 s after the largest force was taken off (or at that force). Empty: creep was not measured.</source>
+        <translation>Sin carga, 30 s después de retirar la mayor fuerza (o con esa fuerza). Vacío: no se midió la fluencia.</translation>
+    </message>
+    <message>
+        <source>Creep: indication after 300 s</source>
+        <translation>Fluencia: indicación a los 300 s</translation>
+    </message>
+    <message>
+        <source>The same after 300 s.</source>
+        <translation>Lo mismo a los 300 s.</translation>
+    </message>
+    <message>
+        <source>Force and conditions</source>
+        <translation>Fuerza y condiciones</translation>
+    </message>
+    <message>
+        <source>Its certificate gives the relative uncertainty of the force. Empty: every force has its own.</source>
+        <translation>Su certificado da la incertidumbre relativa de la fuerza. Vacío: cada fuerza tiene la suya.</translation>
+    </message>
+    <message>
+        <source>Axis of the machine</source>
+        <translation>Eje de la máquina</translation>
+    </message>
+    <message>
+        <source>Which of the loads of its certificate acts on the instrument.</source>
+        <translation>Cuál de las cargas de su certificado actúa sobre el instrumento.</translation>
+    </message>
+    <message>
+        <source>Temperature coefficient</source>
+        <translation>Coeficiente de temperatura</translation>
+    </message>
+    <message>
+        <source>Relative change of the deflection with temperature.</source>
+        <translation>Cambio relativo de la deflexión con la temperatura.</translation>
+    </message>
+    <message>
+        <source>Temperature, half width</source>
+        <translation>Temperatura, semianchura</translation>
+    </message>
+    <message>
+        <source>The temperature of the instrument is known within plus and minus this much.</source>
+        <translation>La temperatura del instrumento se conoce con más o menos este valor.</translation>
+    </message>
+    <message>
+        <source>Used with</source>
+        <translation>Se usa con</translation>
+    </message>
+    <message>
+        <source>Whether the instrument will be used with decreasing forces too: the reversibility error is then part of its uncertainty.</source>
+        <translation>Si el instrumento se usará también con fuerzas decrecientes: el error de reversibilidad forma entonces parte de su incertidumbre.</translation>
+    </message>
+    <message>
+        <source>increasing forces only</source>
+        <translation>solo fuerzas crecientes</translation>
+    </message>
+    <message>
+        <source>decreasing forces too</source>
+        <translation>también fuerzas decrecientes</translation>
+    </message>
+    <message>
+        <source>Divisor of the reversibility</source>
+        <translation>Divisor de la reversibilidad</translation>
+    </message>
+    <message>
+        <source>The reversibility error divided by it is a standard uncertainty: √3 where the error is a limit that is reached, 3 where it hardly is.</source>
+        <translation>El error de reversibilidad dividido por él es una incertidumbre típica: √3 donde el error es un límite que se alcanza, 3 donde apenas se alcanza.</translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation>Curvas</translation>
+    </message>
+    <message>
+        <source>Degree of the interpolation</source>
+        <translation>Grado de la interpolación</translation>
+    </message>
+    <message>
+        <source>Of the polynomial of the mean deflection over the force: 1 to 3.</source>
+        <translation>Del polinomio de la deflexión media en función de la fuerza: de 1 a 3.</translation>
+    </message>
+    <message>
+        <source>Constant term</source>
+        <translation>Término constante</translation>
+    </message>
+    <message>
+        <source>Whether the polynomial may have a value without force; else it begins at zero.</source>
+        <translation>Si el polinomio puede tener un valor sin fuerza; si no, empieza en cero.</translation>
+    </message>
+    <message>
+        <source>Interpolation counts relative to</source>
+        <translation>Interpolación relativa a</translation>
+    </message>
+    <message>
+        <source>What the standard deviation of the residuals is divided by. Relative to the largest deflection it is the same part at every force; relative to each one it grows where forces are small, as a residual does.</source>
+        <translation>Por qué se divide la desviación típica de los residuos. Relativa a la mayor deflexión es la misma fracción en cada fuerza; relativa a cada una crece donde las fuerzas son pequeñas, como lo hace un residuo.</translation>
+    </message>
+    <message>
+        <source>the largest deflection</source>
+        <translation>la mayor deflexión</translation>
+    </message>
+    <message>
+        <source>the deflection at each force</source>
+        <translation>la deflexión en cada fuerza</translation>
+    </message>
+    <message>
+        <source>Normal, with its degrees of freedom in the law of propagation, or a t-distribution (JCGM 101 6.4.9), which has no standard deviation with three rotations.</source>
+        <translation>Normal, con sus grados de libertad en la ley de propagación, o una distribución t (JCGM 101 6.4.9), que con tres rotaciones no tiene desviación típica.</translation>
+    </message>
+    <message>
+        <source>Coverage factor of W</source>
+        <translation>Factor de cobertura de W</translation>
+    </message>
+    <message>
+        <source>In the table and curve of W; results have the coverage factor of their degrees of freedom.</source>
+        <translation>En la tabla y la curva de W; los resultados tienen el factor de cobertura de sus grados de libertad.</translation>
+    </message>
+    <message>
+        <source>Degree of W over the force</source>
+        <translation>Grado de W en función de la fuerza</translation>
+    </message>
+    <message>
+        <source>Of the polynomial that states W between the calibration forces.</source>
+        <translation>Del polinomio que indica W entre las fuerzas de calibración.</translation>
+    </message>
+    <message>
+        <source>Classes</source>
+        <translation>Clases</translation>
+    </message>
+    <message>
+        <source>Limits of the classes</source>
+        <translation>Límites de las clases</translation>
+    </message>
+    <message>
+        <source>A row for each class, the strictest first, with the largest errors that its standard allows: none of a standard is built in. An empty cell is held against nothing; without rows no class is found.</source>
+        <translation>Una fila por cada clase, la más estricta primero, con los mayores errores que permite su norma: no hay incorporado ninguno de una norma. Una celda vacía no se contrasta con nada; sin filas no se halla ninguna clase.</translation>
+    </message>
+    <message>
+        <source>class</source>
+        <translation>clase</translation>
+    </message>
+    <message>
+        <source>Name of the class; the strictest first.</source>
+        <translation>Nombre de la clase; la más estricta primero.</translation>
+    </message>
+    <message>
+        <source>Largest reproducibility error, with rotation.</source>
+        <translation>Mayor error de reproducibilidad, con rotación.</translation>
+    </message>
+    <message>
+        <source>b′</source>
+        <translation>b′</translation>
+    </message>
+    <message>
+        <source>Largest repeatability error, without rotation.</source>
+        <translation>Mayor error de repetibilidad, sin rotación.</translation>
+    </message>
+    <message>
+        <source>Largest interpolation error, of either sign.</source>
+        <translation>Mayor error de interpolación, de cualquier signo.</translation>
+    </message>
+    <message>
+        <source>Largest zero error, of either sign.</source>
+        <translation>Mayor error de cero, de cualquier signo.</translation>
+    </message>
+    <message>
+        <source>Largest reversibility error.</source>
+        <translation>Mayor error de reversibilidad.</translation>
+    </message>
+    <message>
+        <source>Largest creep error.</source>
+        <translation>Mayor error de fluencia.</translation>
+    </message>
+    <message>
+        <source>Largest relative expanded uncertainty (k = 2) of the calibration force.</source>
+        <translation>Mayor incertidumbre expandida relativa (k = 2) de la fuerza de calibración.</translation>
+    </message>
+    <message>
+        <source>Calibration of a force transducer</source>
+        <translation>Calibración de un transductor de fuerza</translation>
+    </message>
+    <message>
+        <source>Errors, interpolation, class and uncertainty of a transducer from three positions, after ISO 376.</source>
+        <translation>Errores, interpolación, clase e incertidumbre de un transductor a partir de tres posiciones, según ISO 376.</translation>
+    </message>
+    <message>
+        <source>Standard deviations of directions and zenith angles and the index error, with the tests of ISO 17123-3.</source>
+        <translation>Desviaciones típicas de direcciones y ángulos cenitales y el error de índice, con las pruebas de ISO 17123-3.</translation>
+    </message>
+    <message>
+        <source>Drift from as-found values, the component for its next use, its next calibration.</source>
+        <translation>Deriva a partir de los valores encontrados, la componente para su próximo uso, su próxima calibración.</translation>
+    </message>
+    <message>
+        <source>Force transducer of 50 kN in three positions</source>
+        <translation>Transductor de fuerza de 50 kN en tres posiciones</translation>
+    </message>
+    <message>
+        <source>A force transducer, calibrated after ISO 376 with eight forces in three positions: repeatability, reproducibility, interpolation, zero, reversibility and creep errors, W over the force as EURAMET cg-4 combines it, and the coefficients of its interpolation with their covariance.</source>
+        <translation>Un transductor de fuerza, calibrado según ISO 376 con ocho fuerzas en tres posiciones: errores de repetibilidad, reproducibilidad, interpolación, cero, reversibilidad y fluencia, W en función de la fuerza tal como la combina EURAMET cg-4, y los coeficientes de su interpolación con su covarianza.</translation>
+    </message>
+    <message>
+        <source>Seven years of a gauge block</source>
+        <translation>Siete años de un bloque patrón</translation>
+    </message>
+    <message>
+        <source>Invented: the deviation of a gauge block of 50 mm from its nominal length, as seven calibrations found it.</source>
+        <translation>Inventado: la desviación de un bloque patrón de 50 mm respecto de su longitud nominal, tal como la encontraron siete calibraciones.</translation>
+    </message>
+    <message>
+        <source>Theodolite in rounds to five targets</source>
+        <translation>Teodolito por vueltas de horizonte a cinco dianas</translation>
+    </message>
+    <message>
+        <source>The circles of a total station, tested after ISO 17123-3 with four series of three sets to five targets in both faces: standard deviations of a direction and of a zenith angle, the index error, each with its uncertainty, and the statistical tests.</source>
+        <translation>Los círculos de una estación total, ensayados según ISO 17123-3 con cuatro series de tres conjuntos a cinco dianas en ambas caras: desviaciones típicas de una dirección y de un ángulo cenital, el error de índice, cada uno con su incertidumbre, y las pruebas estadísticas.</translation>
+    </message>
+    <message>
+        <source>Amended certificate</source>
+        <translation>Certificado enmendado</translation>
+    </message>
+    <message>
+        <source>Replaces certificate</source>
+        <translation>Sustituye al certificado</translation>
+    </message>
+    <message>
+        <source>Number of the certificate that this one replaces; empty: it is no amended one.</source>
+        <translation>Número del certificado al que este sustituye; vacío: no es uno enmendado.</translation>
+    </message>
+    <message>
+        <source>Its date of issue</source>
+        <translation>Su fecha de emisión</translation>
+    </message>
+    <message>
+        <source>Reasons of the amendment</source>
+        <translation>Motivos de la enmienda</translation>
+    </message>
+    <message>
+        <source>What was wrong or has changed, and why.</source>
+        <translation>Qué era erróneo o ha cambiado, y por qué.</translation>
+    </message>
+    <message>
+        <source>Prepared by</source>
+        <translation>Elaborado por</translation>
+    </message>
+    <message>
+        <source>Who set up and evaluated the project.</source>
+        <translation>Quién preparó y evaluó el proyecto.</translation>
+    </message>
+    <message>
+        <source>Checked by</source>
+        <translation>Revisado por</translation>
+    </message>
+    <message>
+        <source>Who checked it.</source>
+        <translation>Quién lo revisó.</translation>
+    </message>
+    <message>
+        <source>Released by</source>
+        <translation>Liberado por</translation>
+    </message>
+    <message>
+        <source>Who authorised it (ISO/IEC 17025 7.8.1.1).</source>
+        <translation>Quién lo autorizó (ISO/IEC 17025 7.8.1.1).</translation>
+    </message>
+    <message>
+        <source>Changes to certificate %1</source>
+        <translation>Cambios respecto del certificado %1</translation>
+    </message>
+    <message>
+        <source>No result has changed.</source>
+        <translation>No ha cambiado ningún resultado.</translation>
+    </message>
+    <message>
+        <source>Statement</source>
+        <translation>Declaración</translation>
+    </message>
+    <message>
+        <source>Replaced certificate</source>
+        <translation>Certificado sustituido</translation>
+    </message>
+    <message>
+        <source>This certificate</source>
+        <translation>Este certificado</translation>
+    </message>
+    <message>
+        <source>Sources of error that are covered</source>
+        <translation>Fuentes de error que se incluyen</translation>
+    </message>
+    <message>
+        <source>Not covered</source>
+        <translation>No se incluye</translation>
+    </message>
+    <message>
+        <source>%1, face two</source>
+        <translation>%1, cara dos</translation>
+    </message>
+    <message>
+        <source>%1 of face two is not between half a turn and a whole one: type it as read</source>
+        <translation>%1 de la cara dos no está entre media vuelta y una vuelta entera: introdúzcalo tal como se leyó</translation>
+    </message>
+    <message>
+        <source>%1 is not between 0 and half a turn (face one), nor between half a turn and a whole one (face two)</source>
+        <translation>%1 no está entre 0 y media vuelta (cara uno), ni entre media vuelta y una entera (cara dos)</translation>
+    </message>
+    <message>
+        <source>%1, again, half a turn off (say that it is of face two)</source>
+        <translation>%1, de nuevo, con media vuelta de diferencia (indique que es de la cara dos)</translation>
+    </message>
+    <message>
+        <source>before the adjustment: %1 closes with %2 %3, %4 times its u (rows %5 of the readings)</source>
+        <translation>antes de la compensación: %1 cierra con %2 %3, %4 veces su u (filas %5 de las lecturas)</translation>
+    </message>
+    <message>
+        <source>rows of the readings</source>
+        <translation>filas de las lecturas</translation>
+    </message>
+    <message>
+        <source>loop of distances, %1</source>
+        <translation>ciclo de distancias, %1</translation>
+    </message>
+    <message>
+        <source>%1 and the sights of both from %2</source>
+        <translation>%1 y las visuales a ambos desde %2</translation>
+    </message>
+    <message>
+        <source>distance %1 – %2 by coordinates and the sights of both from %3</source>
+        <translation>distancia %1 – %2 por coordenadas y las visuales a ambos desde %3</translation>
+    </message>
+    <message>
+        <source>distance %1 – %2 by the sights from %3 and from %4</source>
+        <translation>distancia %1 – %2 por las visuales desde %3 y desde %4</translation>
+    </message>
+    <message>
+        <source>%1 in both faces, as %2</source>
+        <translation>%1 en ambas caras, como %2</translation>
+    </message>
+    <message>
+        <source>%1 in both faces</source>
+        <translation>%1 en ambas caras</translation>
+    </message>
+    <message>
+        <source>%1 from both faces of %2 sights</source>
+        <translation>%1 de ambas caras de %2 visuales</translation>
+    </message>
+    <message>
+        <source>Both faces before the adjustment</source>
+        <translation>Ambas caras antes de la compensación</translation>
+    </message>
+    <message>
+        <source>sights</source>
+        <translation>visuales</translation>
+    </message>
+    <message>
+        <source>from both faces</source>
+        <translation>de ambas caras</translation>
+    </message>
+    <message>
+        <source>u of that</source>
+        <translation>u de ello</translation>
+    </message>
+    <message>
+        <source>u as stated</source>
+        <translation>u declarada</translation>
+    </message>
+    <message>
+        <source>not as stated?</source>
+        <translation>¿no es como se declaró?</translation>
+    </message>
+    <message>
+        <source>state it among the figures of instruments</source>
+        <translation>indíquelo entre las cifras de los instrumentos</translation>
+    </message>
+    <message>
+        <source>Index (z₁ + z₂ − 400 gon)/2 and collimation (a₁ − a₂ ± 200 gon)/2 · sin z of the sights that were read in both faces.</source>
+        <translation>Índice (z₁ + z₂ − 400 gon)/2 y colimación (a₁ − a₂ ± 200 gon)/2 · sin z de las visuales que se leyeron en ambas caras.</translation>
+    </message>
+    <message>
+        <source>all angles</source>
+        <translation>todos los ángulos</translation>
+    </message>
+    <message>
+        <source>all lengths</source>
+        <translation>todas las longitudes</translation>
+    </message>
+    <message>
+        <source>the directions</source>
+        <translation>las direcciones</translation>
+    </message>
+    <message>
+        <source>the zenith angles</source>
+        <translation>los ángulos cenitales</translation>
+    </message>
+    <message>
+        <source>the slope distances</source>
+        <translation>las distancias inclinadas</translation>
+    </message>
+    <message>
+        <source>the horizontal distances</source>
+        <translation>las distancias horizontales</translation>
+    </message>
+    <message>
+        <source>the height differences</source>
+        <translation>los desniveles</translation>
+    </message>
+    <message>
+        <source>the angles read from %1</source>
+        <translation>los ángulos leídos desde %1</translation>
+    </message>
+    <message>
+        <source>the lengths read from %1</source>
+        <translation>las longitudes leídas desde %1</translation>
+    </message>
+    <message>
+        <source>the angles of %1</source>
+        <translation>los ángulos de %1</translation>
+    </message>
+    <message>
+        <source>the lengths of %1</source>
+        <translation>las longitudes de %1</translation>
+    </message>
+    <message>
+        <source>the readings agree if %1 are gon that were typed as degrees</source>
+        <translation>las lecturas concuerdan si %1 son gon que se teclearon como grados</translation>
+    </message>
+    <message>
+        <source>the readings agree if %1 are mm that were typed as m</source>
+        <translation>las lecturas concuerdan si %1 son mm que se teclearon como m</translation>
+    </message>
+    <message>
+        <source>the readings agree if %1 are degrees that were typed as gon</source>
+        <translation>las lecturas concuerdan si %1 son grados que se teclearon como gon</translation>
+    </message>
+    <message>
+        <source>the readings agree if %1 are m that were typed as mm</source>
+        <translation>las lecturas concuerdan si %1 son m que se teclearon como mm</translation>
+    </message>
+    <message>
+        <source>the readings agree if the coordinates of %1 and %2 are exchanged</source>
+        <translation>las lecturas concuerdan si se intercambian las coordenadas de %1 y %2</translation>
+    </message>
+    <message>
+        <source>No limits of classes are entered: no class is found.</source>
+        <translation>No se han introducido límites de clases: no se halla ninguna clase.</translation>
+    </message>
+    <message>
+        <source>largest force</source>
+        <translation>mayor fuerza</translation>
+    </message>
+    <message>
+        <source>deflection at the largest force</source>
+        <translation>deflexión con la mayor fuerza</translation>
+    </message>
+    <message>
+        <source>zero error f_0, the largest of the series</source>
+        <translation>error de cero f_0, el mayor de las series</translation>
+    </message>
+    <message>
+        <source>creep error c</source>
+        <translation>error de fluencia c</translation>
+    </message>
+    <message>
+        <source>degrees of freedom of the interpolation</source>
+        <translation>grados de libertad de la interpolación</translation>
+    </message>
+    <message>
+        <source>Without indications at zero there is no zero error.</source>
+        <translation>Sin indicaciones en cero no hay error de cero.</translation>
+    </message>
+    <message>
+        <source>Creep was not measured: the budget has none of it.</source>
+        <translation>No se midió la fluencia: el balance no contiene nada de ella.</translation>
+    </message>
+    <message>
+        <source>The zero error was not measured and is held against no limit.</source>
+        <translation>El error de cero no se midió y no se contrasta con ningún límite.</translation>
+    </message>
+    <message>
+        <source>The creep error was not measured and is held against no limit.</source>
+        <translation>El error de fluencia no se midió y no se contrasta con ningún límite.</translation>
+    </message>
+    <message>
+        <source>The reversibility error was not measured and is held against no limit.</source>
+        <translation>El error de reversibilidad no se midió y no se contrasta con ningún límite.</translation>
+    </message>
+    <message>
+        <source>reproducibility</source>
+        <translation>reproducibilidad</translation>
+    </message>
+    <message>
+        <source>creep</source>
+        <translation>fluencia</translation>
+    </message>
+    <message>
+        <source>zero</source>
+        <translation>cero</translation>
+    </message>
+    <message>
+        <source>temperature</source>
+        <translation>temperatura</translation>
+    </message>
+    <message>
+        <source>interpolation</source>
+        <translation>interpolación</translation>
+    </message>
+    <message>
+        <source>reversibility</source>
+        <translation>reversibilidad</translation>
+    </message>
+    <message>
+        <source>deflection</source>
+        <translation>deflexión</translation>
+    </message>
+    <message>
+        <source>W, relative expanded uncertainty</source>
+        <translation>W, incertidumbre expandida relativa</translation>
+    </message>
+    <message>
+        <source>The curve of W is a fit to the steps, raised by %1 % so that no step lies above it.</source>
+        <translation>La curva de W es un ajuste a los escalones, elevada un %1 % para que ningún escalón quede por encima.</translation>
+    </message>
+    <message>
+        <source>directions of each series, mean of both faces</source>
+        <translation>direcciones de cada serie, media de ambas caras</translation>
+    </message>
+    <message>
+        <source>zenith angles of each series</source>
+        <translation>ángulos cenitales de cada serie</translation>
+    </message>
+    <message>
+        <source>pooled over the series, ν readings less unknowns; JCGM 100 H.3.2, E.4.3</source>
+        <translation>combinada de las series, ν lecturas menos incógnitas; JCGM 100 H.3.2, E.4.3</translation>
+    </message>
+    <message>
+        <source>index error, s_i within the series; JCGM 100 4.2.3</source>
+        <translation>error de índice, s_i dentro de las series; JCGM 100 4.2.3</translation>
+    </message>
+    <message>
+        <source>standard deviation of a direction, measured once in both faces</source>
+        <translation>desviación típica de una dirección, medida una vez en ambas caras</translation>
+    </message>
+    <message>
+        <source>standard deviation of a zenith angle, measured once in both faces</source>
+        <translation>desviación típica de un ángulo cenital, medido una vez en ambas caras</translation>
+    </message>
+    <message>
+        <source>Targets stand in their directions; how far they are is not known.</source>
+        <translation>Las dianas están en sus direcciones; no se sabe a qué distancia.</translation>
+    </message>
+    <message>
+        <source>least squares of the rounds, residuals of %1 series</source>
+        <translation>mínimos cuadrados de las vueltas, residuos de %1 series</translation>
+    </message>
+    <message>
+        <source>scatter of the index</source>
+        <translation>dispersión del índice</translation>
+    </message>
+    <message>
+        <source>mean of %1 readings in both faces</source>
+        <translation>media de %1 lecturas en ambas caras</translation>
+    </message>
+    <message>
+        <source>index error of the vertical circle</source>
+        <translation>error de índice del círculo vertical</translation>
+    </message>
+    <message>
+        <source>the directions leave nothing that would tell their scatter: read two targets or more in two sets or more</source>
+        <translation>las direcciones no dejan nada que revele su dispersión: lea dos dianas o más en dos conjuntos o más</translation>
+    </message>
+    <message>
+        <source>the zenith angles leave nothing that would tell their scatter: read targets in two sets or more</source>
+        <translation>los ángulos cenitales no dejan nada que revele su dispersión: lea dianas en dos conjuntos o más</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; in set %2 is read in one face only: a reading needs both</source>
+        <translation>&apos;%1&apos; en el conjunto %2 solo está leída en una cara: una lectura necesita ambas</translation>
+    </message>
+    <message>
+        <source>the faces of &apos;%1&apos; in set %2 differ by more than 10° from half a circle: check the faces, the target and that V is a zenith angle</source>
+        <translation>las caras de &apos;%1&apos; en el conjunto %2 difieren en más de 10° de medio círculo: compruebe las caras, la diana y que V sea un ángulo cenital</translation>
+    </message>
+    <message>
+        <source>the zenith angle of &apos;%1&apos; in set %2 in face I is not between 0° and 180°</source>
+        <translation>el ángulo cenital de &apos;%1&apos; en el conjunto %2 en la cara I no está entre 0° y 180°</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; in set %2 has no reading</source>
+        <translation>&apos;%1&apos; en el conjunto %2 no tiene ninguna lectura</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is there twice in set %2 of series %3</source>
+        <translation>&apos;%1&apos; figura dos veces en el conjunto %2 de la serie %3</translation>
+    </message>
+    <message>
+        <source>%1 rows of readings are more than the most, %2</source>
+        <translation>%1 filas de lecturas son más que el máximo, %2</translation>
+    </message>
+    <message>
+        <source>a: s of %1 is not larger than the stated σ</source>
+        <translation>a: s de %1 no es mayor que la σ indicada</translation>
+    </message>
+    <message>
+        <source>b: s of %1 and that of the other campaign are of one σ, s²/s²</source>
+        <translation>b: s de %1 y la de la otra campaña son de una misma σ, s²/s²</translation>
+    </message>
+    <message>
+        <source>c: the index error is not different from zero</source>
+        <translation>c: el error de índice no es distinto de cero</translation>
+    </message>
+    <message>
+        <source>An index error is seen: it leaves the mean of both faces; take it off readings in face I alone, or adjust the instrument.</source>
+        <translation>Se ve un error de índice: desaparece en la media de ambas caras; réstelo de las lecturas hechas solo en la cara I, o ajuste el instrumento.</translation>
+    </message>
+    <message>
+        <source>the index error is the same in all series, s²/s²</source>
+        <translation>el error de índice es el mismo en todas las series, s²/s²</translation>
+    </message>
+    <message>
+        <source>The index error changed between the series: it is not one figure, and its u holds for the mean of these series only.</source>
+        <translation>El error de índice cambió entre las series: no es una sola cifra, y su u solo vale para la media de estas series.</translation>
+    </message>
+    <message>
+        <source>a direction</source>
+        <translation>una dirección</translation>
+    </message>
+    <message>
+        <source>a zenith angle</source>
+        <translation>un ángulo cenital</translation>
+    </message>
+    <message>
+        <source>relative</source>
+        <translation>relativa</translation>
+    </message>
+    <message>
+        <source>s of a direction, measured once in both faces</source>
+        <translation>s de una dirección, medida una vez en ambas caras</translation>
+    </message>
+    <message>
+        <source>s of a zenith angle, measured once in both faces</source>
+        <translation>s de un ángulo cenital, medido una vez en ambas caras</translation>
+    </message>
+    <message>
+        <source>s of a direction</source>
+        <translation>s de una dirección</translation>
+    </message>
+    <message>
+        <source>its degrees of freedom</source>
+        <translation>sus grados de libertad</translation>
+    </message>
+    <message>
+        <source>s of a zenith angle</source>
+        <translation>s de un ángulo cenital</translation>
+    </message>
+    <message>
+        <source>degrees of freedom of that</source>
+        <translation>grados de libertad de esta</translation>
+    </message>
+    <message>
+        <source>index error</source>
+        <translation>error de índice</translation>
+    </message>
+    <message>
+        <source>residual Hz</source>
+        <translation>residuo Hz</translation>
+    </message>
+    <message>
+        <source>residual V</source>
+        <translation>residuo V</translation>
+    </message>
+    <message>
+        <source>index</source>
+        <translation>índice</translation>
+    </message>
+    <message>
+        <source>theodolite</source>
+        <translation>teodolito</translation>
+    </message>
+    <message>
+        <source>values found, without the adjustments; t in years, t_m their weighted mean</source>
+        <translation>valores encontrados, sin los ajustes; t en años, t_m su media ponderada</translation>
+    </message>
+    <message>
+        <source>drift since the last calibration, on the date of use</source>
+        <translation>deriva desde la última calibración, en la fecha de uso</translation>
+    </message>
+    <message>
+        <source>value on the date of use; c is what all values share</source>
+        <translation>valor en la fecha de uso; c es lo que comparten todos los valores</translation>
+    </message>
+    <message>
+        <source>least squares, %1 calibrations</source>
+        <translation>mínimos cuadrados, %1 calibraciones</translation>
+    </message>
+    <message>
+        <source>level of the line, at the mean of the dates</source>
+        <translation>nivel de la recta, en la media de las fechas</translation>
+    </message>
+    <message>
+        <source>scatter about the line</source>
+        <translation>dispersión en torno a la recta</translation>
+    </message>
+    <message>
+        <source>drift in a year</source>
+        <translation>deriva en un año</translation>
+    </message>
+    <message>
+        <source>scatter of one value about the line</source>
+        <translation>dispersión de un valor en torno a la recta</translation>
+    </message>
+    <message>
+        <source>deviation that all values share</source>
+        <translation>desviación que comparten todos los valores</translation>
+    </message>
+    <message>
+        <source>drift since the last calibration, %1</source>
+        <translation>deriva desde la última calibración, %1</translation>
+    </message>
+    <message>
+        <source>the limit is not kept even on the day of the last calibration</source>
+        <translation>el límite no se cumple ni siquiera el día de la última calibración</translation>
+    </message>
+    <message>
+        <source>a date of the form 2026-04-17 is needed; it is &apos;%1&apos;</source>
+        <translation>hace falta una fecha de la forma 2026-04-17; es &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>the calibration in row %1 is not after the one before it</source>
+        <translation>la calibración de la fila %1 no es posterior a la que la precede</translation>
+    </message>
+    <message>
+        <source>row %1 needs the standard uncertainty of its value</source>
+        <translation>la fila %1 necesita la incertidumbre típica de su valor</translation>
+    </message>
+    <message>
+        <source>two calibrations have no scatter about a line: state the uncertainty of each value, or add a third</source>
+        <translation>dos calibraciones no tienen dispersión en torno a una recta: indique la incertidumbre de cada valor, o añada una tercera</translation>
+    </message>
+    <message>
+        <source>the rule needs a limit above zero</source>
+        <translation>la regla necesita un límite mayor que cero</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is the symbol of a drift: choose another one</source>
+        <translation>&apos;%1&apos; es el símbolo de una deriva: elija otro</translation>
+    </message>
+    <message>
+        <source>the date of use is before the last calibration</source>
+        <translation>la fecha de uso es anterior a la última calibración</translation>
+    </message>
+    <message>
+        <source>standard uncertainty of the drift in a year</source>
+        <translation>incertidumbre típica de la deriva en un año</translation>
+    </message>
+    <message>
+        <source>drift from the last calibration to the date of use</source>
+        <translation>deriva desde la última calibración hasta la fecha de uso</translation>
+    </message>
+    <message>
+        <source>corrected: its standard uncertainty</source>
+        <translation>con corrección: su incertidumbre típica</translation>
+    </message>
+    <message>
+        <source>not corrected: half-width of a rectangular distribution</source>
+        <translation>sin corrección: semiamplitud de una distribución rectangular</translation>
+    </message>
+    <message>
+        <source>not corrected: standard uncertainty</source>
+        <translation>sin corrección: incertidumbre típica</translation>
+    </message>
+    <message>
+        <source>The values scatter more about the line than their uncertainties say: state larger ones, or take the uncertainty from the residuals.</source>
+        <translation>Los valores se dispersan en torno a la recta más de lo que dicen sus incertidumbres: indique otras mayores, o tome la incertidumbre de los residuos.</translation>
+    </message>
+    <message>
+        <source>last calibration</source>
+        <translation>última calibración</translation>
+    </message>
+    <message>
+        <source>next calibration, at the latest</source>
+        <translation>próxima calibración, a más tardar</translation>
+    </message>
+    <message>
+        <source>The limit is not kept even on the day of the last calibration.</source>
+        <translation>El límite no se cumple ni siquiera el día de la última calibración.</translation>
+    </message>
+    <message>
+        <source>The limit would be kept for longer: the longest interval decides.</source>
+        <translation>El límite se cumpliría durante más tiempo: decide el intervalo máximo.</translation>
+    </message>
+    <message>
+        <source>The last day on which the figure of the rule, with k times its u, is within the limit.</source>
+        <translation>El último día en que la cifra de la regla, con k veces su u, está dentro del límite.</translation>
+    </message>
+    <message>
+        <source>deflection, mean of the rotations</source>
+        <translation>deflexión, media de las rotaciones</translation>
+    </message>
+    <message>
+        <source>reproducibility, repeatability and reversibility errors, ISO 376</source>
+        <translation>errores de reproducibilidad, repetibilidad y reversibilidad, ISO 376</translation>
+    </message>
+    <message>
+        <source>interpolation, zero and creep errors, ISO 376</source>
+        <translation>errores de interpolación, cero y fluencia, ISO 376</translation>
+    </message>
+    <message>
+        <source>interpolation, degree 1 to 3</source>
+        <translation>interpolación, grado de 1 a 3</translation>
+    </message>
+    <message>
+        <source>machine, reproducibility, repeatability, resolution, creep, zero, temperature, interpolation, EURAMET cg-4; (v/divisor)² for decreasing forces</source>
+        <translation>máquina, reproducibilidad, repetibilidad, resolución, fluencia, cero, temperatura, interpolación, EURAMET cg-4; (v/divisor)² para fuerzas decrecientes</translation>
+    </message>
+    <message>
+        <source>ν forces less coefficients</source>
+        <translation>ν fuerzas menos coeficientes</translation>
+    </message>
+    <message>
+        <source>force of the calibration machine</source>
+        <translation>fuerza de la máquina de calibración</translation>
+    </message>
+    <message>
+        <source>calibration machine &apos;%1&apos;</source>
+        <translation>máquina de calibración &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>uncertainties of the forces</source>
+        <translation>incertidumbres de las fuerzas</translation>
+    </message>
+    <message>
+        <source>indications after 30 s and 300 s</source>
+        <translation>indicaciones a los 30 s y 300 s</translation>
+    </message>
+    <message>
+        <source>zero error</source>
+        <translation>error de cero</translation>
+    </message>
+    <message>
+        <source>largest change of the indication without load</source>
+        <translation>mayor cambio de la indicación sin carga</translation>
+    </message>
+    <message>
+        <source>temperature of the instrument</source>
+        <translation>temperatura del instrumento</translation>
+    </message>
+    <message>
+        <source>temperature coefficient and half width</source>
+        <translation>coeficiente de temperatura y semianchura</translation>
+    </message>
+    <message>
+        <source>reproducibility with rotation</source>
+        <translation>reproducibilidad con rotación</translation>
+    </message>
+    <message>
+        <source>three positions of the instrument</source>
+        <translation>tres posiciones del instrumento</translation>
+    </message>
+    <message>
+        <source>mean deflection at %1</source>
+        <translation>deflexión media en %1</translation>
+    </message>
+    <message>
+        <source>repeatability without rotation</source>
+        <translation>repetibilidad sin rotación</translation>
+    </message>
+    <message>
+        <source>two series in one position</source>
+        <translation>dos series en una posición</translation>
+    </message>
+    <message>
+        <source>resolution of the indicator</source>
+        <translation>resolución del indicador</translation>
+    </message>
+    <message>
+        <source>difference of two indications</source>
+        <translation>diferencia de dos indicaciones</translation>
+    </message>
+    <message>
+        <source>decreasing against increasing force</source>
+        <translation>fuerza decreciente frente a creciente</translation>
+    </message>
+    <message>
+        <source>interpolated less mean deflection at %1</source>
+        <translation>deflexión interpolada menos media en %1</translation>
+    </message>
+    <message>
+        <source>residuals of %1 forces</source>
+        <translation>residuos de %1 fuerzas</translation>
+    </message>
+    <message>
+        <source>interpolated deflection at %1</source>
+        <translation>deflexión interpolada en %1</translation>
+    </message>
+    <message>
+        <source>coefficient of F to the power %1</source>
+        <translation>coeficiente de F a la potencia %1</translation>
+    </message>
+    <message>
+        <source>series %1 has no indication without load</source>
+        <translation>la serie %1 no tiene indicación sin carga</translation>
+    </message>
+    <message>
+        <source>series %1 has two rows without load</source>
+        <translation>la serie %1 tiene dos filas sin carga</translation>
+    </message>
+    <message>
+        <source>the force of %1 is there twice: readings of a force are one row</source>
+        <translation>la fuerza de %1 figura dos veces: las lecturas de una fuerza son una sola fila</translation>
+    </message>
+    <message>
+        <source>nothing says the uncertainty of the force of %1: it needs a calibration machine or a U of its own</source>
+        <translation>nada dice la incertidumbre de la fuerza de %1: necesita una máquina de calibración o una U propia</translation>
+    </message>
+    <message>
+        <source>%1 forces are more than the most, %2</source>
+        <translation>%1 fuerzas son más que el máximo, %2</translation>
+    </message>
+    <message>
+        <source>%1 forces leave nothing that would tell how well a polynomial of %2 coefficients fits: calibrate more forces or lower the degree</source>
+        <translation>%1 fuerzas no dejan nada que revele lo bien que se ajusta un polinomio de %2 coeficientes: calibre más fuerzas o reduzca el grado</translation>
+    </message>
+    <message>
+        <source>%1 forces do not determine a polynomial of degree %2</source>
+        <translation>%1 fuerzas no determinan un polinomio de grado %2</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; states no uncertainty of %2</source>
+        <translation>&apos;%1&apos; no indica ninguna incertidumbre de %2</translation>
+    </message>
+    <message>
+        <source>creep needs the indications after 30 s and after 300 s</source>
+        <translation>la fluencia necesita las indicaciones a los 30 s y a los 300 s</translation>
+    </message>
+    <message>
+        <source>the deflection of series %1 does not grow up to %2: check the indications, and those without load</source>
+        <translation>la deflexión de la serie %1 no crece hasta %2: compruebe las indicaciones, también las que no tienen carga</translation>
+    </message>
+    <message>
+        <source>for use with decreasing forces an indication X4′ or X6′ has to be read at %1</source>
+        <translation>para el uso con fuerzas decrecientes hay que leer una indicación X4′ o X6′ en %1</translation>
+    </message>
+    <message>
+        <source>force %1</source>
+        <translation>fuerza %1</translation>
+    </message>
+    <message>
+        <source>the date of &apos;%1&apos; must be of the form 2026-04-17; it is &apos;%2&apos;</source>
+        <translation>la fecha de &apos;%1&apos; debe ser de la forma 2026-04-17; es &apos;%2&apos;</translation>
+    </message>
+    <message>
+        <source>the date of &apos;%1&apos; is before that of the step before it</source>
+        <translation>la fecha de &apos;%1&apos; es anterior a la del paso que lo precede</translation>
+    </message>
+    <message>
+        <source>a step of the review</source>
+        <translation>un paso de la revisión</translation>
+    </message>
+    <message>
+        <source>a part that was released</source>
+        <translation>una parte que se liberó</translation>
+    </message>
+    <message>
+        <source>an entry of the log</source>
+        <translation>una entrada del registro</translation>
+    </message>
+    <message>
+        <source>the review</source>
+        <translation>la revisión</translation>
+    </message>
+    <message>
+        <source>the title</source>
+        <translation>el título</translation>
+    </message>
+    <message>
+        <source>the notes of the project</source>
+        <translation>las notas del proyecto</translation>
+    </message>
+    <message>
+        <source>the author</source>
+        <translation>el autor</translation>
+    </message>
+    <message>
+        <source>the number of the project</source>
+        <translation>el número del proyecto</translation>
+    </message>
+    <message>
+        <source>the texts of the certificate</source>
+        <translation>los textos del certificado</translation>
+    </message>
+    <message>
+        <source>what the replaced certificate stated</source>
+        <translation>lo que indicaba el certificado sustituido</translation>
+    </message>
+    <message>
+        <source>what goes into the report</source>
+        <translation>lo que va en el informe</translation>
+    </message>
+    <message>
+        <source>how results are stated</source>
+        <translation>cómo se indican los resultados</translation>
+    </message>
+    <message>
+        <source>the names and dates of the review</source>
+        <translation>los nombres y fechas de la revisión</translation>
+    </message>
+    <message>
+        <source>which assets and analyses there are, or their order</source>
+        <translation>qué recursos y análisis hay, o su orden</translation>
+    </message>
+    <message>
+        <source>asset %1</source>
+        <translation>recurso %1</translation>
+    </message>
+    <message>
+        <source>analysis %1</source>
+        <translation>análisis %1</translation>
+    </message>
+    <message>
+        <source>texts or certificates of asset %1</source>
+        <translation>textos o certificados del recurso %1</translation>
+    </message>
+    <message>
+        <source>texts, requirements or designs of analysis %1</source>
+        <translation>textos, requisitos o diseños del análisis %1</translation>
+    </message>
+    <message>
+        <source>%1, which is new</source>
+        <translation>%1, que es nuevo</translation>
+    </message>
+    <message>
+        <source>%1, which is no longer there</source>
+        <translation>%1, que ya no está</translation>
+    </message>
+    <message>
+        <source>%1 on %2</source>
+        <translation>%1 el %2</translation>
+    </message>
+    <message>
+        <source>the record of the release</source>
+        <translation>el registro de la liberación</translation>
+    </message>
+    <message>
+        <source>draft: it was not released</source>
+        <translation>borrador: no se liberó</translation>
+    </message>
+    <message>
+        <source>released by %1, digest %2</source>
+        <translation>liberado por %1, hash %2</translation>
+    </message>
+    <message>
+        <source>draft again: changed since it was released by %1: %2</source>
+        <translation>de nuevo borrador: cambiado desde que lo liberó %1: %2</translation>
+    </message>
+    <message>
+        <source>it is not released: &apos;%1&apos; needs a name and a date of the form 2026-04-17</source>
+        <translation>no está liberado: &apos;%1&apos; necesita un nombre y una fecha de la forma 2026-04-17</translation>
+    </message>
+    <message>
+        <source>a text of the replaced certificate</source>
+        <translation>un texto del certificado sustituido</translation>
+    </message>
+    <message>
+        <source>a result of the replaced certificate</source>
+        <translation>un resultado del certificado sustituido</translation>
+    </message>
+    <message>
+        <source>the certificate cannot have been issued before the one that it replaces</source>
+        <translation>el certificado no puede haberse emitido antes que aquel al que sustituye</translation>
+    </message>
+    <message>
+        <source>an amended certificate has a number of its own, not that of the one that it replaces</source>
+        <translation>un certificado enmendado tiene un número propio, no el de aquel al que sustituye</translation>
+    </message>
+    <message>
+        <source>%1 directions are of face two, as the zenith angles of their sights say</source>
+        <translation>%1 direcciones son de la cara dos, como dicen los ángulos cenitales de sus visuales</translation>
+    </message>
+    <message>
+        <source>Draft</source>
+        <translation>Borrador</translation>
+    </message>
+    <message>
+        <source>it was not released</source>
+        <translation>no se liberó</translation>
+    </message>
+    <message>
+        <source>changed since the release by %1: %2</source>
+        <translation>cambiado desde la liberación por %1: %2</translation>
+    </message>
+    <message>
+        <source>Digest of the release</source>
+        <translation>Hash de la liberación</translation>
+    </message>
+    <message>
+        <source>the certificate that is to be replaced has no number: there is none to refer to</source>
+        <translation>el certificado que se va a sustituir no tiene número: no hay ninguno al que referirse</translation>
+    </message>
+    <message>
+        <source>an amended certificate has a number of its own; %1 is that of the one that it replaces</source>
+        <translation>un certificado enmendado tiene un número propio; %1 es el de aquel al que sustituye</translation>
+    </message>
+    <message>
+        <source>the date of issue must be of the form 2026-04-17; it is &apos;%1&apos;</source>
+        <translation>la fecha de emisión debe ser de la forma 2026-04-17; es &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>Table %1, continued</source>
+        <translation>Tabla %1, continuación</translation>
+    </message>
+    <message>
+        <source>Errors after ISO 376</source>
+        <translation>Errores según ISO 376</translation>
+    </message>
+    <message>
+        <source>mean deflection</source>
+        <translation>deflexión media</translation>
+    </message>
+    <message>
+        <source>Classes by the limits entered</source>
+        <translation>Clases según los límites introducidos</translation>
+    </message>
+    <message>
+        <source>Relative standard uncertainties and W</source>
+        <translation>Incertidumbres típicas relativas y W</translation>
+    </message>
+    <message>
+        <source>Curves over the force</source>
+        <translation>Curvas en función de la fuerza</translation>
+    </message>
+    <message>
+        <source>power of the force</source>
+        <translation>potencia de la fuerza</translation>
+    </message>
+    <message>
+        <source>Errors over the force</source>
+        <translation>Errores en función de la fuerza</translation>
+    </message>
+    <message>
+        <source>relative error</source>
+        <translation>error relativo</translation>
+    </message>
+    <message>
+        <source>Relative expanded uncertainty over the force</source>
+        <translation>Incertidumbre expandida relativa en función de la fuerza</translation>
+    </message>
+    <message>
+        <source>Drift</source>
+        <translation>Deriva</translation>
+    </message>
+    <message>
+        <source>Calibrations and their residuals</source>
+        <translation>Calibraciones y sus residuos</translation>
+    </message>
+    <message>
+        <source>Change since the first calibration</source>
+        <translation>Cambio desde la primera calibración</translation>
+    </message>
+    <message>
+        <source>years since the first calibration</source>
+        <translation>años desde la primera calibración</translation>
+    </message>
+    <message>
+        <source>line ± k u</source>
+        <translation>recta ± k u</translation>
+    </message>
+    <message>
+        <source>Series</source>
+        <translation>Series</translation>
+    </message>
+    <message>
+        <source>Residuals of the directions</source>
+        <translation>Residuos de las direcciones</translation>
+    </message>
+    <message>
+        <source>Residuals of the zenith angles</source>
+        <translation>Residuos de los ángulos cenitales</translation>
     </message>
 </context>
 <context>
@@ -20463,6 +22015,10 @@ En esos lugares figura “not stated”. Son campos de la página del proyecto.<
         <source>What Every Analysis &amp;Has</source>
         <translation>Lo &amp;que tiene todo análisis</translation>
     </message>
+    <message>
+        <source>Re&amp;view and Release</source>
+        <translation>Re&amp;visión y liberación</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::HelpPane</name>
@@ -21525,6 +23081,18 @@ Elegido: %2</translation>
         <source>or</source>
         <translation>o</translation>
     </message>
+    <message>
+        <source>Project: review</source>
+        <translation>Proyecto: revisión</translation>
+    </message>
+    <message>
+        <source>certificate %1</source>
+        <translation>certificado %1</translation>
+    </message>
+    <message>
+        <source>date of the measurement</source>
+        <translation>fecha de la medición</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::ProblemsPane</name>
@@ -21812,6 +23380,10 @@ Lo usan: %1. Tendrán un error hasta que usen otra cosa.</translation>
         <source>Certificates</source>
         <translation>Certificados</translation>
     </message>
+    <message>
+        <source>Review</source>
+        <translation>Revisión</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::QuantityEdit</name>
@@ -21981,6 +23553,10 @@ Lo usan: %1. Tendrán un error hasta que usen otra cosa.</translation>
     <message>
         <source>Requirements for Results</source>
         <translation>Exigir a los resultados</translation>
+    </message>
+    <message>
+        <source>Left out, for their unit is another: %1.</source>
+        <translation>Omitidos, porque su unidad es otra: %1.</translation>
     </message>
 </context>
 <context>
@@ -22174,6 +23750,88 @@ Lo usan: %1. Tendrán un error hasta que usen otra cosa.</translation>
     <message>
         <source>Seen</source>
         <translation>Observado</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::ReviewForm</name>
+    <message>
+        <source>draft</source>
+        <translation>borrador</translation>
+    </message>
+    <message>
+        <source>released</source>
+        <translation>liberado</translation>
+    </message>
+    <message>
+        <source>draft again</source>
+        <translation>de nuevo borrador</translation>
+    </message>
+    <message>
+        <source>A release states in report and certificate who is responsible, and a digest by which every later change shows.</source>
+        <translation>Una liberación indica en el informe y el certificado quién es responsable, y un hash en el que se ve todo cambio posterior.</translation>
+    </message>
+    <message>
+        <source>Release</source>
+        <translation>Liberar</translation>
+    </message>
+    <message>
+        <source>Who</source>
+        <translation>Quién</translation>
+    </message>
+    <message>
+        <source>What was done</source>
+        <translation>Qué se hizo</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Fecha</translation>
+    </message>
+    <message>
+        <source>The day of this step; empty: that of the release.</source>
+        <translation>El día de este paso; vacío: el de la liberación.</translation>
+    </message>
+    <message>
+        <source>Change %1</source>
+        <translation>Cambiar %1</translation>
+    </message>
+    <message>
+        <source>Add to the Log</source>
+        <translation>Añadir al registro</translation>
+    </message>
+    <message>
+        <source>Release the project</source>
+        <translation>Liberar el proyecto</translation>
+    </message>
+    <message>
+        <source>Add to the log</source>
+        <translation>Añadir al registro</translation>
+    </message>
+    <message>
+        <source>A project with errors is not released.</source>
+        <translation>Un proyecto con errores no se libera.</translation>
+    </message>
+    <message>
+        <source>All three names are needed.</source>
+        <translation>Hacen falta los tres nombres.</translation>
+    </message>
+    <message>
+        <source>Takes the digest of the project as it is now</source>
+        <translation>Toma el hash del proyecto tal como está ahora</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::RowTools</name>
+    <message>
+        <source>Add row</source>
+        <translation>Añadir fila</translation>
+    </message>
+    <message>
+        <source>Delete rows</source>
+        <translation>Eliminar filas</translation>
+    </message>
+    <message>
+        <source>Fill down</source>
+        <translation>Rellenar abajo</translation>
     </message>
 </context>
 <context>
@@ -23174,14 +24832,6 @@ Lo usan: %1. Tendrán un error hasta que usen otra cosa.</translation>
         <translation>Incorporar al proyecto</translation>
     </message>
     <message>
-        <source>Add row</source>
-        <translation>Añadir fila</translation>
-    </message>
-    <message>
-        <source>Delete rows</source>
-        <translation>Eliminar filas</translation>
-    </message>
-    <message>
         <source>Import CSV …</source>
         <translation>Importar CSV …</translation>
     </message>
@@ -23212,10 +24862,6 @@ Lo usan: %1. Tendrán un error hasta que usen otra cosa.</translation>
     <message>
         <source>Shows also the columns that no row has something in</source>
         <translation>Muestra también las columnas en las que ninguna fila tiene algo</translation>
-    </message>
-    <message>
-        <source>Fill down</source>
-        <translation>Rellenar abajo</translation>
     </message>
 </context>
 <context>

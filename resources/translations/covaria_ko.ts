@@ -14740,10 +14740,6 @@ sample 1; 2; 3 weights 2; 5; 2 (그대로 뽑음), histogram 0; 1; 2 weights 5; 
         <translation>%1은(는) 양수가 아닙니다</translation>
     </message>
     <message>
-        <source>%1 is not between 0 and half a turn: state the mean of both faces</source>
-        <translation>%1은(는) 0과 반 바퀴 사이에 있지 않습니다. 정위와 반위의 평균을 제시하십시오</translation>
-    </message>
-    <message>
         <source>%1 needs the height of %2, which is not part of the network</source>
         <translation>%1에는 %2의 높이가 필요하지만 망에 속하지 않습니다</translation>
     </message>
@@ -16348,10 +16344,6 @@ sample 1; 2; 3 weights 2; 5; 2 (그대로 뽑음), histogram 0; 1; 2 weights 5; 
         <translation>읽음값의 열에 있는 것과 같은 측정기의 이름. 비어 있으면 측정기가 없는 모든 읽음값.</translation>
     </message>
     <message>
-        <source>What it does to all of its readings alike: its zero is added to distances, by its scale (weather correction included) they are longer, refraction bends its lines of sight, its index is added to zenith angles, its collimation over the sine of the zenith angle to directions.</source>
-        <translation>모든 읽음값에 똑같이 미치는 영향: 영점은 거리에 더해지고, 척도(기상 보정 포함)만큼 거리가 길어지며, 굴절은 시준선을 휘게 하고, 지표 오차는 천정각에 더해지며, 시준 오차를 천정각의 사인으로 나눈 값은 방향에 더해집니다.</translation>
-    </message>
-    <message>
         <source>zero of distances</source>
         <translation>거리의 영점</translation>
     </message>
@@ -17712,10 +17704,6 @@ sample 1; 2; 3 weights 2; 5; 2 (그대로 뽑음), histogram 0; 1; 2 weights 5; 
         <translation>높이차의 폐합 루프, %1</translation>
     </message>
     <message>
-        <source>before the adjustment: %1 closes with %2 %3, %4 times its u</source>
-        <translation>조정 전: %1의 폐합차가 %2 %3이며 그 u의 %4배입니다</translation>
-    </message>
-    <message>
         <source>and %1 more closures are beyond 3.29 times their u</source>
         <translation>그 밖에 폐합차 %1개가 그 u의 3.29배를 넘습니다</translation>
     </message>
@@ -18126,6 +18114,1570 @@ sample 1; 2; 3 weights 2; 5; 2 (그대로 뽑음), histogram 0; 1; 2 weights 5; 
     <message>
         <source>data sheet</source>
         <translation>사양서</translation>
+    </message>
+    <message>
+        <source>face</source>
+        <translation>정위/반위</translation>
+    </message>
+    <message>
+        <source>Of a direction, azimuth or zenith angle: the face in which it was read, as it was read. A zenith angle beyond half a turn is of face two anyway. It is brought to face one; index and collimation change it the other way.</source>
+        <translation>방향, 방위각 또는 천정각을 읽은 망원경 위치(정위 또는 반위), 읽은 그대로. 반 바퀴를 넘는 천정각은 어차피 반위입니다. 정위로 환산하며, 지표 오차와 시준 오차는 반대 부호로 작용합니다.</translation>
+    </message>
+    <message>
+        <source>one</source>
+        <translation>정위</translation>
+    </message>
+    <message>
+        <source>two</source>
+        <translation>반위</translation>
+    </message>
+    <message>
+        <source>What it does to all of its readings alike: its zero is added to distances, by its scale (weather correction included) they are longer, refraction bends its lines of sight, its index is added to zenith angles, its collimation over the sine of the zenith angle to directions; in face two both are taken off.</source>
+        <translation>모든 읽음값에 똑같이 미치는 영향: 영점은 거리에 더해지고, 척도(기상 보정 포함)만큼 거리가 길어지며, 굴절은 시준선을 휘게 하고, 지표 오차는 천정각에 더해지며, 시준 오차를 천정각의 사인으로 나눈 값은 방향에 더해집니다. 반위에서는 이 둘을 뺍니다.</translation>
+    </message>
+    <message>
+        <source>Theodolite in rounds</source>
+        <translation>대회관측에 의한 데오돌라이트</translation>
+    </message>
+    <message>
+        <source>Standard deviations of a direction and of a zenith angle measured once in both faces, and the index error of the vertical circle, from rounds to targets as ISO 17123-3 has them, with their uncertainties and the statistical tests.</source>
+        <translation>ISO 17123-3에서와 같이 표적에 대한 대회관측에서 구한, 정위와 반위로 한 번 측정한 방향과 천정각의 표준편차 및 연직분도원의 지표 오차. 그 불확도와 통계적 검정 포함.</translation>
+    </message>
+    <message>
+        <source>Any number of series, sets and targets counts, also with readings left out; four series of three sets of five targets leave 32 degrees of freedom for directions and 40 for zenith angles.</source>
+        <translation>계열, 대회, 표적의 수는 제한이 없으며 읽음값이 빠져도 됩니다. 표적 다섯 개의 대회 셋으로 된 계열 넷이면 자유도가 방향은 32, 천정각은 40입니다.</translation>
+    </message>
+    <message>
+        <source>The index error is positive where a zenith angle in face I reads too large. Its sign and the estimate of its uncertainty from its own scatter are those of this program; hold them against the text of the standard before a sheet names it.</source>
+        <translation>지표 오차는 정위 I의 천정각이 너무 크게 읽힐 때 양수입니다. 그 부호와, 자체 산포에서 구한 불확도의 추정은 이 프로그램의 것입니다. 시트에 규격을 언급하기 전에 규격 본문과 대조하십시오.</translation>
+    </message>
+    <message>
+        <source>That the index error is the same in all series is a test of this program.</source>
+        <translation>지표 오차가 모든 계열에서 같은지는 이 프로그램의 검정입니다.</translation>
+    </message>
+    <message>
+        <source>A mean of both faces says nothing of collimation and of the tilt of the axes, which it does not contain.</source>
+        <translation>정위와 반위의 평균은 시준 오차와 축의 기울기를 포함하지 않으므로 이에 대해 아무것도 알려 주지 않습니다.</translation>
+    </message>
+    <message>
+        <source>A row for each target of each set, with the readings in both faces: directions, zenith angles, or both. Typed, pasted or from a CSV file.</source>
+        <translation>대회마다 표적마다 한 행이며 정위와 반위의 읽음값을 적습니다: 방향, 천정각 또는 둘 다. 직접 입력하거나 붙여넣거나 CSV 파일에서 읽습니다.</translation>
+    </message>
+    <message>
+        <source>Number of the series; within one the instrument stands unchanged. Empty: 1.</source>
+        <translation>계열의 번호. 한 계열 안에서 측정기는 바뀌지 않고 서 있습니다. 비어 있으면 1.</translation>
+    </message>
+    <message>
+        <source>Number of the set (round) within its series.</source>
+        <translation>계열 안에서 세트(대회)의 번호.</translation>
+    </message>
+    <message>
+        <source>Hz I</source>
+        <translation>Hz I</translation>
+    </message>
+    <message>
+        <source>Horizontal circle in face I.</source>
+        <translation>정위 I의 수평분도원.</translation>
+    </message>
+    <message>
+        <source>Hz II</source>
+        <translation>Hz II</translation>
+    </message>
+    <message>
+        <source>Horizontal circle in face II.</source>
+        <translation>반위 II의 수평분도원.</translation>
+    </message>
+    <message>
+        <source>V I</source>
+        <translation>V I</translation>
+    </message>
+    <message>
+        <source>Zenith angle in face I: 90° on the horizon.</source>
+        <translation>정위 I의 천정각: 수평에서 90°.</translation>
+    </message>
+    <message>
+        <source>V II</source>
+        <translation>V II</translation>
+    </message>
+    <message>
+        <source>Zenith angle in face II: 270° on the horizon.</source>
+        <translation>반위 II의 천정각: 수평에서 270°.</translation>
+    </message>
+    <message>
+        <source>σ of a direction, stated or wanted</source>
+        <translation>방향의 σ, 제시되거나 필요한 값</translation>
+    </message>
+    <message>
+        <source>Standard deviation, measured once in both faces, that test a holds s against: of the maker, or what a job needs. Empty: no test a.</source>
+        <translation>검정 a에서 s와 비교하는, 정위와 반위로 한 번 측정한 표준편차: 제조사의 값 또는 작업에 필요한 값. 비어 있으면 검정 a 없음.</translation>
+    </message>
+    <message>
+        <source>s of a direction, another campaign</source>
+        <translation>방향의 s, 다른 측정</translation>
+    </message>
+    <message>
+        <source>Experimental standard deviation that test b compares s with: of another instrument, observer or day. Empty: no test b.</source>
+        <translation>검정 b에서 s와 비교하는 실험표준편차: 다른 측정기, 측정자 또는 다른 날의 것. 비어 있으면 검정 b 없음.</translation>
+    </message>
+    <message>
+        <source>Degrees of freedom of that s</source>
+        <translation>그 s의 자유도</translation>
+    </message>
+    <message>
+        <source>Of the s of the other campaign; the default is that of four series of three sets of five targets.</source>
+        <translation>다른 측정의 s의 자유도. 기본값은 표적 다섯 개의 대회 셋으로 된 계열 넷의 자유도입니다.</translation>
+    </message>
+    <message>
+        <source>σ of a zenith angle, stated or wanted</source>
+        <translation>천정각의 σ, 제시되거나 필요한 값</translation>
+    </message>
+    <message>
+        <source>s of a zenith angle, another campaign</source>
+        <translation>천정각의 s, 다른 측정</translation>
+    </message>
+    <message>
+        <source>History of an instrument</source>
+        <translation>측정기의 이력</translation>
+    </message>
+    <message>
+        <source>The drift of an instrument or standard from what its calibrations found, with its uncertainty: the component for its next use, and the day on which its next calibration is due.</source>
+        <translation>측정기나 표준기의 교정 결과에서 구한 드리프트와 그 불확도: 다음 사용을 위한 성분과 다음 교정이 필요한 날.</translation>
+    </message>
+    <message>
+        <source>The drift is taken as linear. Residuals in the evaluation show whether it is.</source>
+        <translation>드리프트는 선형으로 봅니다. 그런지는 평가의 잔차가 보여 줍니다.</translation>
+    </message>
+    <message>
+        <source>Adjustments are taken out of the series by their differences as left less as found; these count as exact, because both are values of one calibration.</source>
+        <translation>조정은 조정 후와 조정 전 값의 차로 계열에서 제거합니다. 둘 다 한 교정의 값이므로 이 차는 정확한 것으로 셉니다.</translation>
+    </message>
+    <message>
+        <source>What all calibrations share has no part in the drift. The scatter about the line is part of the value on a date of use: the instrument may lie off its line as it did before.</source>
+        <translation>모든 교정이 공유하는 것은 드리프트에 들어가지 않습니다. 직선 둘레의 산포는 사용일의 값에 포함됩니다. 측정기가 이전처럼 직선에서 벗어나 있을 수 있기 때문입니다.</translation>
+    </message>
+    <message>
+        <source>A year has 365.25 days.</source>
+        <translation>1년은 365.25일입니다.</translation>
+    </message>
+    <message>
+        <source>Of the value.</source>
+        <translation>값의 기호.</translation>
+    </message>
+    <message>
+        <source>What the calibrations state.</source>
+        <translation>교정에서 제시하는 것.</translation>
+    </message>
+    <message>
+        <source>In which the values are given.</source>
+        <translation>값을 나타내는 단위.</translation>
+    </message>
+    <message>
+        <source>Calibrations</source>
+        <translation>교정</translation>
+    </message>
+    <message>
+        <source>What each calibration found, typed, pasted or from a CSV file.</source>
+        <translation>각 교정의 결과. 직접 입력하거나 붙여넣거나 CSV 파일에서 읽습니다.</translation>
+    </message>
+    <message>
+        <source>date</source>
+        <translation>날짜</translation>
+    </message>
+    <message>
+        <source>Of the calibration: 2026-04-17. Earlier ones stand above.</source>
+        <translation>교정의 날짜: 2026-04-17. 이른 것이 위에 옵니다.</translation>
+    </message>
+    <message>
+        <source>as found</source>
+        <translation>조정 전</translation>
+    </message>
+    <message>
+        <source>Value or deviation before an adjustment, in the unit.</source>
+        <translation>조정 전의 값 또는 편차, 해당 단위로.</translation>
+    </message>
+    <message>
+        <source>as left</source>
+        <translation>조정 후</translation>
+    </message>
+    <message>
+        <source>After an adjustment, in the unit; empty: not adjusted.</source>
+        <translation>조정 후의 값 또는 편차, 해당 단위로. 비어 있으면 조정하지 않음.</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of this value alone, in the unit. Used, and needed, with stated uncertainties.</source>
+        <translation>이 값만의 표준불확도, 해당 단위로. 불확도를 제시하는 경우에 쓰이며 반드시 필요합니다.</translation>
+    </message>
+    <message>
+        <source>From the scatter about the line (three calibrations or more), or as stated for each value.</source>
+        <translation>직선 둘레의 산포에서(교정 세 번 이상), 또는 각 값에 제시된 대로.</translation>
+    </message>
+    <message>
+        <source>Common u</source>
+        <translation>공통 u</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of a deviation that all values share, as that of the laboratory&apos;s standard, in the unit. It is none of the drift.</source>
+        <translation>교정실의 표준기의 편차처럼 모든 값이 공유하는 편차의 표준불확도, 해당 단위로. 드리프트에는 들어가지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Date of use</source>
+        <translation>사용일</translation>
+    </message>
+    <message>
+        <source>The value and the drift on that day: 2026-11-28; empty: not asked.</source>
+        <translation>그날의 값과 드리프트: 2026-11-28. 비어 있으면 구하지 않음.</translation>
+    </message>
+    <message>
+        <source>Next calibration</source>
+        <translation>다음 교정</translation>
+    </message>
+    <message>
+        <source>Rule</source>
+        <translation>규칙</translation>
+    </message>
+    <message>
+        <source>What must stay within the limit until the next calibration, with k times its u.</source>
+        <translation>다음 교정까지, 그 u의 k배를 더하여 한계 안에 있어야 하는 것.</translation>
+    </message>
+    <message>
+        <source>the drift since the last calibration</source>
+        <translation>마지막 교정 이후의 드리프트</translation>
+    </message>
+    <message>
+        <source>the deviation from the nominal value</source>
+        <translation>공칭값으로부터의 편차</translation>
+    </message>
+    <message>
+        <source>Limit</source>
+        <translation>한계</translation>
+    </message>
+    <message>
+        <source>In the unit.</source>
+        <translation>해당 단위로.</translation>
+    </message>
+    <message>
+        <source>Nominal value</source>
+        <translation>공칭값</translation>
+    </message>
+    <message>
+        <source>In the unit; 0 for deviations.</source>
+        <translation>해당 단위로. 편차이면 0.</translation>
+    </message>
+    <message>
+        <source>k of the rule</source>
+        <translation>규칙의 k</translation>
+    </message>
+    <message>
+        <source>Multiple of u that is added.</source>
+        <translation>더하는 u의 배수.</translation>
+    </message>
+    <message>
+        <source>Longest interval</source>
+        <translation>최대 주기</translation>
+    </message>
+    <message>
+        <source>Years after which it is due in any case.</source>
+        <translation>어떤 경우에도 교정이 필요해지는 햇수.</translation>
+    </message>
+    <message>
+        <source>Force-proving instrument</source>
+        <translation>힘 측정기</translation>
+    </message>
+    <message>
+        <source>Errors of a force transducer as ISO 376 has them, from indications under calibration forces in three positions, its interpolation with covariance, W over the force with all its parts as EURAMET cg-4 combines them, and its class by limits that are entered.</source>
+        <translation>ISO 376에서와 같은 힘 변환기의 오차, 세 위치에서 교정 힘을 가한 지시값에서 구함. 공분산을 포함한 보간, EURAMET cg-4의 방식으로 모든 부분을 합성한 힘에 따른 W, 입력한 한계에 따른 등급.</translation>
+    </message>
+    <message>
+        <source>Formulas are those in common use; hold them against the texts of ISO 376 and EURAMET cg-4 before a certificate names them. Limits of classes are not built in.</source>
+        <translation>식은 통용되는 것입니다. 성적서에 이 문서들을 언급하기 전에 ISO 376과 EURAMET cg-4의 본문과 대조하십시오. 등급의 한계는 내장되어 있지 않습니다.</translation>
+    </message>
+    <message>
+        <source>W of the table has the coverage factor that is entered. Results have the one of their degrees of freedom: three rotations leave two, which k = 2 does not know.</source>
+        <translation>표의 W는 입력한 포함인자를 갖습니다. 결과는 그 자유도의 포함인자를 갖습니다. 회전이 세 번이면 자유도가 2이며, k = 2는 이를 반영하지 않습니다.</translation>
+    </message>
+    <message>
+        <source>The uncertainty of the machine&apos;s force, creep, zero and temperature act at all forces alike and are common to them; the rotations keep the covariance between the forces that was seen. What is read at one force is its own.</source>
+        <translation>교정기 힘의 불확도, 크리프, 영점, 온도는 모든 힘에 똑같이 작용하며 공통입니다. 회전에서는 드러난 힘 사이의 공분산이 유지됩니다. 한 힘에서 읽은 것은 그 힘만의 것입니다.</translation>
+    </message>
+    <message>
+        <source>The coefficients have the covariance of the mean deflections; the residuals of the interpolation count at the forces, not in the coefficients.</source>
+        <translation>계수는 평균 변위의 공분산을 갖습니다. 보간의 잔차는 계수가 아니라 힘에서 셉니다.</translation>
+    </message>
+    <message>
+        <source>Drift since the calibration, another indicator and other conditions of use are not part of W.</source>
+        <translation>교정 이후의 드리프트, 다른 지시계, 다른 사용 조건은 W에 포함되지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Forces and indications</source>
+        <translation>힘과 지시값</translation>
+    </message>
+    <message>
+        <source>A row for each calibration force: two series in one position, one after each of two rotations; decreasing forces where they were read. Typed, pasted or from a CSV file.</source>
+        <translation>교정 힘마다 한 행: 한 위치에서 계열 둘, 두 번의 회전 뒤에 각각 하나. 읽은 경우 감소하는 힘도 포함. 직접 입력하거나 붙여넣거나 CSV 파일에서 읽습니다.</translation>
+    </message>
+    <message>
+        <source>Of the calibration machine; its unit is that of results.</source>
+        <translation>교정기의 힘. 그 단위가 결과의 단위입니다.</translation>
+    </message>
+    <message>
+        <source>X1</source>
+        <translation>X1</translation>
+    </message>
+    <message>
+        <source>First position, increasing force.</source>
+        <translation>첫째 위치, 증가하는 힘.</translation>
+    </message>
+    <message>
+        <source>X2</source>
+        <translation>X2</translation>
+    </message>
+    <message>
+        <source>The same position again.</source>
+        <translation>다시 같은 위치.</translation>
+    </message>
+    <message>
+        <source>X3</source>
+        <translation>X3</translation>
+    </message>
+    <message>
+        <source>After the first rotation, increasing force.</source>
+        <translation>첫째 회전 후, 증가하는 힘.</translation>
+    </message>
+    <message>
+        <source>X4′</source>
+        <translation>X4′</translation>
+    </message>
+    <message>
+        <source>The same position as X3, decreasing force; empty: not read at this force.</source>
+        <translation>X3과 같은 위치, 감소하는 힘. 비어 있으면 이 힘에서 읽지 않음.</translation>
+    </message>
+    <message>
+        <source>X5</source>
+        <translation>X5</translation>
+    </message>
+    <message>
+        <source>After the second rotation, increasing force.</source>
+        <translation>둘째 회전 후, 증가하는 힘.</translation>
+    </message>
+    <message>
+        <source>X6′</source>
+        <translation>X6′</translation>
+    </message>
+    <message>
+        <source>The same position as X5, decreasing force; empty: not read at this force.</source>
+        <translation>X5와 같은 위치, 감소하는 힘. 비어 있으면 이 힘에서 읽지 않음.</translation>
+    </message>
+    <message>
+        <source>U of the force</source>
+        <translation>힘의 U</translation>
+    </message>
+    <message>
+        <source>Relative expanded uncertainty (k = 2) of this force; empty: that of the calibration machine.</source>
+        <translation>이 힘의 상대확장불확도(k = 2). 비어 있으면 교정기의 상대확장불확도.</translation>
+    </message>
+    <message>
+        <source>Indications without load</source>
+        <translation>무하중 지시값</translation>
+    </message>
+    <message>
+        <source>Before and after each series with increasing forces. Empty: the indications are deflections already, and there is no zero error.</source>
+        <translation>증가하는 힘의 각 계열 전후. 비어 있으면 지시값이 이미 변위이며 영점 오차는 없습니다.</translation>
+    </message>
+    <message>
+        <source>Series with increasing forces.</source>
+        <translation>증가하는 힘의 계열.</translation>
+    </message>
+    <message>
+        <source>Indication without load before the series.</source>
+        <translation>계열 전의 무하중 지시값.</translation>
+    </message>
+    <message>
+        <source>Indication without load after it, or after the decreasing forces that follow upon it.</source>
+        <translation>계열 후, 또는 이어지는 감소하는 힘 후의 무하중 지시값.</translation>
+    </message>
+    <message>
+        <source>Smallest step of the indication, or the half range over which it fluctuates.</source>
+        <translation>지시값의 최소 단계, 또는 지시값이 흔들리는 범위의 절반.</translation>
+    </message>
+    <message>
+        <source>Creep: indication after 30 s</source>
+        <translation>크리프: 30 s 후의 지시값</translation>
+    </message>
+    <message>
+        <source>Without load, 30 s after the largest force was taken off (or at that force). Empty: creep was not measured.</source>
+        <translation>최대 힘을 제거하고 30 s 후의 무하중 지시값(또는 최대 힘에서의 지시값). 비어 있으면 크리프를 측정하지 않음.</translation>
+    </message>
+    <message>
+        <source>Creep: indication after 300 s</source>
+        <translation>크리프: 300 s 후의 지시값</translation>
+    </message>
+    <message>
+        <source>The same after 300 s.</source>
+        <translation>같은 것, 300 s 후.</translation>
+    </message>
+    <message>
+        <source>Force and conditions</source>
+        <translation>힘과 조건</translation>
+    </message>
+    <message>
+        <source>Its certificate gives the relative uncertainty of the force. Empty: every force has its own.</source>
+        <translation>그 성적서가 힘의 상대불확도를 줍니다. 비어 있으면 힘마다 자체 불확도를 가집니다.</translation>
+    </message>
+    <message>
+        <source>Axis of the machine</source>
+        <translation>교정기의 축</translation>
+    </message>
+    <message>
+        <source>Which of the loads of its certificate acts on the instrument.</source>
+        <translation>성적서의 하중 가운데 측정기에 작용하는 것.</translation>
+    </message>
+    <message>
+        <source>Temperature coefficient</source>
+        <translation>온도계수</translation>
+    </message>
+    <message>
+        <source>Relative change of the deflection with temperature.</source>
+        <translation>온도에 따른 변위의 상대 변화.</translation>
+    </message>
+    <message>
+        <source>Temperature, half width</source>
+        <translation>온도, 반너비</translation>
+    </message>
+    <message>
+        <source>The temperature of the instrument is known within plus and minus this much.</source>
+        <translation>측정기의 온도를 알고 있는 정도, 플러스 마이너스 이 값 이내.</translation>
+    </message>
+    <message>
+        <source>Used with</source>
+        <translation>사용 조건</translation>
+    </message>
+    <message>
+        <source>Whether the instrument will be used with decreasing forces too: the reversibility error is then part of its uncertainty.</source>
+        <translation>측정기를 감소하는 힘에도 사용할지 여부. 그러면 가역성 오차가 불확도에 포함됩니다.</translation>
+    </message>
+    <message>
+        <source>increasing forces only</source>
+        <translation>증가하는 힘만</translation>
+    </message>
+    <message>
+        <source>decreasing forces too</source>
+        <translation>감소하는 힘 포함</translation>
+    </message>
+    <message>
+        <source>Divisor of the reversibility</source>
+        <translation>가역성의 제수</translation>
+    </message>
+    <message>
+        <source>The reversibility error divided by it is a standard uncertainty: √3 where the error is a limit that is reached, 3 where it hardly is.</source>
+        <translation>가역성 오차를 이 값으로 나눈 것이 표준불확도입니다. 오차가 도달하는 한계이면 √3, 거의 도달하지 않는 한계이면 3.</translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation>곡선</translation>
+    </message>
+    <message>
+        <source>Degree of the interpolation</source>
+        <translation>보간의 차수</translation>
+    </message>
+    <message>
+        <source>Of the polynomial of the mean deflection over the force: 1 to 3.</source>
+        <translation>힘에 대한 평균 변위의 다항식의 차수: 1~3.</translation>
+    </message>
+    <message>
+        <source>Constant term</source>
+        <translation>상수항</translation>
+    </message>
+    <message>
+        <source>Whether the polynomial may have a value without force; else it begins at zero.</source>
+        <translation>다항식이 힘이 없을 때 값을 가질 수 있는지 여부. 아니면 0에서 시작합니다.</translation>
+    </message>
+    <message>
+        <source>Interpolation counts relative to</source>
+        <translation>보간 잔차의 기준</translation>
+    </message>
+    <message>
+        <source>What the standard deviation of the residuals is divided by. Relative to the largest deflection it is the same part at every force; relative to each one it grows where forces are small, as a residual does.</source>
+        <translation>잔차의 표준편차를 나누는 값. 최대 변위에 대한 것이면 모든 힘에서 같은 비율이고, 각 변위에 대한 것이면 잔차가 그렇듯 힘이 작은 곳에서 커집니다.</translation>
+    </message>
+    <message>
+        <source>the largest deflection</source>
+        <translation>최대 변위</translation>
+    </message>
+    <message>
+        <source>the deflection at each force</source>
+        <translation>각 힘에서의 변위</translation>
+    </message>
+    <message>
+        <source>Normal, with its degrees of freedom in the law of propagation, or a t-distribution (JCGM 101 6.4.9), which has no standard deviation with three rotations.</source>
+        <translation>전파 법칙에서는 자유도를 갖는 정규분포, 또는 회전이 세 번이면 표준편차가 없는 t 분포(JCGM 101 6.4.9).</translation>
+    </message>
+    <message>
+        <source>Coverage factor of W</source>
+        <translation>W의 포함인자</translation>
+    </message>
+    <message>
+        <source>In the table and curve of W; results have the coverage factor of their degrees of freedom.</source>
+        <translation>W의 표와 곡선에 쓰입니다. 결과는 그 자유도의 포함인자를 갖습니다.</translation>
+    </message>
+    <message>
+        <source>Degree of W over the force</source>
+        <translation>힘에 대한 W의 차수</translation>
+    </message>
+    <message>
+        <source>Of the polynomial that states W between the calibration forces.</source>
+        <translation>교정 힘 사이의 W를 나타내는 다항식의 차수.</translation>
+    </message>
+    <message>
+        <source>Classes</source>
+        <translation>등급</translation>
+    </message>
+    <message>
+        <source>Limits of the classes</source>
+        <translation>등급의 한계</translation>
+    </message>
+    <message>
+        <source>A row for each class, the strictest first, with the largest errors that its standard allows: none of a standard is built in. An empty cell is held against nothing; without rows no class is found.</source>
+        <translation>등급마다 한 행, 가장 엄격한 것부터, 규격이 허용하는 최대 오차와 함께. 규격의 값은 내장되어 있지 않습니다. 빈 칸은 비교하지 않으며, 행이 없으면 등급을 구하지 않습니다.</translation>
+    </message>
+    <message>
+        <source>class</source>
+        <translation>등급</translation>
+    </message>
+    <message>
+        <source>Name of the class; the strictest first.</source>
+        <translation>등급의 이름. 가장 엄격한 것부터.</translation>
+    </message>
+    <message>
+        <source>Largest reproducibility error, with rotation.</source>
+        <translation>최대 재현성 오차, 회전 있음.</translation>
+    </message>
+    <message>
+        <source>b′</source>
+        <translation>b′</translation>
+    </message>
+    <message>
+        <source>Largest repeatability error, without rotation.</source>
+        <translation>최대 반복성 오차, 회전 없음.</translation>
+    </message>
+    <message>
+        <source>Largest interpolation error, of either sign.</source>
+        <translation>최대 보간 오차, 부호 무관.</translation>
+    </message>
+    <message>
+        <source>Largest zero error, of either sign.</source>
+        <translation>최대 영점 오차, 부호 무관.</translation>
+    </message>
+    <message>
+        <source>Largest reversibility error.</source>
+        <translation>최대 가역성 오차.</translation>
+    </message>
+    <message>
+        <source>Largest creep error.</source>
+        <translation>최대 크리프 오차.</translation>
+    </message>
+    <message>
+        <source>Largest relative expanded uncertainty (k = 2) of the calibration force.</source>
+        <translation>교정 힘의 최대 상대확장불확도(k = 2).</translation>
+    </message>
+    <message>
+        <source>Calibration of a force transducer</source>
+        <translation>힘 변환기의 교정</translation>
+    </message>
+    <message>
+        <source>Errors, interpolation, class and uncertainty of a transducer from three positions, after ISO 376.</source>
+        <translation>ISO 376에 따라 세 위치에서 구한 변환기의 오차, 보간, 등급, 불확도.</translation>
+    </message>
+    <message>
+        <source>Standard deviations of directions and zenith angles and the index error, with the tests of ISO 17123-3.</source>
+        <translation>방향과 천정각의 표준편차 및 지표 오차, ISO 17123-3의 검정 포함.</translation>
+    </message>
+    <message>
+        <source>Drift from as-found values, the component for its next use, its next calibration.</source>
+        <translation>조정 전 값에서 구한 드리프트, 다음 사용을 위한 성분, 다음 교정.</translation>
+    </message>
+    <message>
+        <source>Force transducer of 50 kN in three positions</source>
+        <translation>세 위치에서의 50 kN 힘 변환기</translation>
+    </message>
+    <message>
+        <source>A force transducer, calibrated after ISO 376 with eight forces in three positions: repeatability, reproducibility, interpolation, zero, reversibility and creep errors, W over the force as EURAMET cg-4 combines it, and the coefficients of its interpolation with their covariance.</source>
+        <translation>ISO 376에 따라 세 위치에서 여덟 개의 힘으로 교정한 힘 변환기: 반복성, 재현성, 보간, 영점, 가역성, 크리프 오차, EURAMET cg-4의 방식으로 합성한 힘에 따른 W, 보간의 계수와 그 공분산.</translation>
+    </message>
+    <message>
+        <source>Seven years of a gauge block</source>
+        <translation>게이지 블록의 7년</translation>
+    </message>
+    <message>
+        <source>Invented: the deviation of a gauge block of 50 mm from its nominal length, as seven calibrations found it.</source>
+        <translation>가상의 예: 일곱 번의 교정에서 구한, 50 mm 게이지 블록의 공칭 길이로부터의 편차.</translation>
+    </message>
+    <message>
+        <source>Theodolite in rounds to five targets</source>
+        <translation>다섯 표적에 대한 대회관측에 의한 데오돌라이트</translation>
+    </message>
+    <message>
+        <source>The circles of a total station, tested after ISO 17123-3 with four series of three sets to five targets in both faces: standard deviations of a direction and of a zenith angle, the index error, each with its uncertainty, and the statistical tests.</source>
+        <translation>토탈 스테이션의 분도원을, 정위와 반위로 다섯 표적을 관측한 대회 셋으로 된 계열 넷으로 ISO 17123-3에 따라 검정한 것: 방향과 천정각의 표준편차, 지표 오차, 각각의 불확도, 그리고 통계적 검정.</translation>
+    </message>
+    <message>
+        <source>Amended certificate</source>
+        <translation>수정 성적서</translation>
+    </message>
+    <message>
+        <source>Replaces certificate</source>
+        <translation>대체되는 성적서</translation>
+    </message>
+    <message>
+        <source>Number of the certificate that this one replaces; empty: it is no amended one.</source>
+        <translation>이 성적서가 대체하는 성적서의 번호. 비어 있으면 수정 성적서가 아닙니다.</translation>
+    </message>
+    <message>
+        <source>Its date of issue</source>
+        <translation>그 발행일</translation>
+    </message>
+    <message>
+        <source>Reasons of the amendment</source>
+        <translation>수정 사유</translation>
+    </message>
+    <message>
+        <source>What was wrong or has changed, and why.</source>
+        <translation>무엇이 잘못되었거나 바뀌었는지와 그 이유.</translation>
+    </message>
+    <message>
+        <source>Prepared by</source>
+        <translation>작성</translation>
+    </message>
+    <message>
+        <source>Who set up and evaluated the project.</source>
+        <translation>프로젝트를 작성하고 평가한 사람.</translation>
+    </message>
+    <message>
+        <source>Checked by</source>
+        <translation>검토</translation>
+    </message>
+    <message>
+        <source>Who checked it.</source>
+        <translation>검토한 사람.</translation>
+    </message>
+    <message>
+        <source>Released by</source>
+        <translation>확정</translation>
+    </message>
+    <message>
+        <source>Who authorised it (ISO/IEC 17025 7.8.1.1).</source>
+        <translation>승인한 사람(ISO/IEC 17025 7.8.1.1).</translation>
+    </message>
+    <message>
+        <source>Changes to certificate %1</source>
+        <translation>성적서 %1에 대한 변경</translation>
+    </message>
+    <message>
+        <source>No result has changed.</source>
+        <translation>바뀐 결과는 없습니다.</translation>
+    </message>
+    <message>
+        <source>Statement</source>
+        <translation>기재 사항</translation>
+    </message>
+    <message>
+        <source>Replaced certificate</source>
+        <translation>대체된 성적서</translation>
+    </message>
+    <message>
+        <source>This certificate</source>
+        <translation>이 성적서</translation>
+    </message>
+    <message>
+        <source>Sources of error that are covered</source>
+        <translation>포함하는 오차 요인</translation>
+    </message>
+    <message>
+        <source>Not covered</source>
+        <translation>포함하지 않음</translation>
+    </message>
+    <message>
+        <source>%1, face two</source>
+        <translation>%1, 반위</translation>
+    </message>
+    <message>
+        <source>%1 of face two is not between half a turn and a whole one: type it as read</source>
+        <translation>반위의 %1이(가) 반 바퀴와 한 바퀴 사이가 아닙니다. 읽은 그대로 입력하십시오</translation>
+    </message>
+    <message>
+        <source>%1 is not between 0 and half a turn (face one), nor between half a turn and a whole one (face two)</source>
+        <translation>%1이(가) 0과 반 바퀴 사이(정위)도, 반 바퀴와 한 바퀴 사이(반위)도 아닙니다</translation>
+    </message>
+    <message>
+        <source>%1, again, half a turn off (say that it is of face two)</source>
+        <translation>%1, 반복, 반 바퀴 벗어남(반위라고 지정하십시오)</translation>
+    </message>
+    <message>
+        <source>before the adjustment: %1 closes with %2 %3, %4 times its u (rows %5 of the readings)</source>
+        <translation>조정 전: %1의 폐합차가 %2 %3이며 그 u의 %4배입니다(읽음값의 행 %5)</translation>
+    </message>
+    <message>
+        <source>rows of the readings</source>
+        <translation>읽음값의 행</translation>
+    </message>
+    <message>
+        <source>loop of distances, %1</source>
+        <translation>거리의 폐합 루프, %1</translation>
+    </message>
+    <message>
+        <source>%1 and the sights of both from %2</source>
+        <translation>%1, 그리고 %2에서 두 점을 본 시준</translation>
+    </message>
+    <message>
+        <source>distance %1 – %2 by coordinates and the sights of both from %3</source>
+        <translation>좌표에 의한 거리 %1 – %2, 그리고 %3에서 두 점을 본 시준</translation>
+    </message>
+    <message>
+        <source>distance %1 – %2 by the sights from %3 and from %4</source>
+        <translation>%3과(와) %4에서 본 시준에 의한 거리 %1 – %2</translation>
+    </message>
+    <message>
+        <source>%1 in both faces, as %2</source>
+        <translation>정위와 반위의 %1, %2과(와) 비교</translation>
+    </message>
+    <message>
+        <source>%1 in both faces</source>
+        <translation>정위와 반위의 %1</translation>
+    </message>
+    <message>
+        <source>%1 from both faces of %2 sights</source>
+        <translation>시준 %2개의 정위와 반위에서 구한 %1</translation>
+    </message>
+    <message>
+        <source>Both faces before the adjustment</source>
+        <translation>조정 전의 정위와 반위</translation>
+    </message>
+    <message>
+        <source>sights</source>
+        <translation>시준 수</translation>
+    </message>
+    <message>
+        <source>from both faces</source>
+        <translation>정위와 반위에서</translation>
+    </message>
+    <message>
+        <source>u of that</source>
+        <translation>그 u</translation>
+    </message>
+    <message>
+        <source>u as stated</source>
+        <translation>제시된 u</translation>
+    </message>
+    <message>
+        <source>not as stated?</source>
+        <translation>제시된 것과 다름?</translation>
+    </message>
+    <message>
+        <source>state it among the figures of instruments</source>
+        <translation>측정기의 수치에 제시하십시오</translation>
+    </message>
+    <message>
+        <source>Index (z₁ + z₂ − 400 gon)/2 and collimation (a₁ − a₂ ± 200 gon)/2 · sin z of the sights that were read in both faces.</source>
+        <translation>정위와 반위로 읽은 시준의 지표 오차 (z₁ + z₂ − 400 gon)/2 및 시준 오차 (a₁ − a₂ ± 200 gon)/2 · sin z.</translation>
+    </message>
+    <message>
+        <source>all angles</source>
+        <translation>모든 각</translation>
+    </message>
+    <message>
+        <source>all lengths</source>
+        <translation>모든 길이</translation>
+    </message>
+    <message>
+        <source>the directions</source>
+        <translation>방향</translation>
+    </message>
+    <message>
+        <source>the zenith angles</source>
+        <translation>천정각</translation>
+    </message>
+    <message>
+        <source>the slope distances</source>
+        <translation>경사거리</translation>
+    </message>
+    <message>
+        <source>the horizontal distances</source>
+        <translation>수평거리</translation>
+    </message>
+    <message>
+        <source>the height differences</source>
+        <translation>높이차</translation>
+    </message>
+    <message>
+        <source>the angles read from %1</source>
+        <translation>%1에서 읽은 각</translation>
+    </message>
+    <message>
+        <source>the lengths read from %1</source>
+        <translation>%1에서 읽은 길이</translation>
+    </message>
+    <message>
+        <source>the angles of %1</source>
+        <translation>%1의 각</translation>
+    </message>
+    <message>
+        <source>the lengths of %1</source>
+        <translation>%1의 길이</translation>
+    </message>
+    <message>
+        <source>the readings agree if %1 are gon that were typed as degrees</source>
+        <translation>%1이(가) 도로 입력된 gon이면 읽음값이 일치합니다</translation>
+    </message>
+    <message>
+        <source>the readings agree if %1 are mm that were typed as m</source>
+        <translation>%1이(가) m로 입력된 mm이면 읽음값이 일치합니다</translation>
+    </message>
+    <message>
+        <source>the readings agree if %1 are degrees that were typed as gon</source>
+        <translation>%1이(가) gon으로 입력된 도이면 읽음값이 일치합니다</translation>
+    </message>
+    <message>
+        <source>the readings agree if %1 are m that were typed as mm</source>
+        <translation>%1이(가) mm로 입력된 m이면 읽음값이 일치합니다</translation>
+    </message>
+    <message>
+        <source>the readings agree if the coordinates of %1 and %2 are exchanged</source>
+        <translation>%1과(와) %2의 좌표를 맞바꾸면 읽음값이 일치합니다</translation>
+    </message>
+    <message>
+        <source>No limits of classes are entered: no class is found.</source>
+        <translation>등급의 한계가 입력되지 않아 등급을 구하지 않습니다.</translation>
+    </message>
+    <message>
+        <source>largest force</source>
+        <translation>최대 힘</translation>
+    </message>
+    <message>
+        <source>deflection at the largest force</source>
+        <translation>최대 힘에서의 변위</translation>
+    </message>
+    <message>
+        <source>zero error f_0, the largest of the series</source>
+        <translation>영점 오차 f_0, 계열 중 최대</translation>
+    </message>
+    <message>
+        <source>creep error c</source>
+        <translation>크리프 오차 c</translation>
+    </message>
+    <message>
+        <source>degrees of freedom of the interpolation</source>
+        <translation>보간의 자유도</translation>
+    </message>
+    <message>
+        <source>Without indications at zero there is no zero error.</source>
+        <translation>무하중 지시값이 없으면 영점 오차도 없습니다.</translation>
+    </message>
+    <message>
+        <source>Creep was not measured: the budget has none of it.</source>
+        <translation>크리프를 측정하지 않아 총괄표에 들어 있지 않습니다.</translation>
+    </message>
+    <message>
+        <source>The zero error was not measured and is held against no limit.</source>
+        <translation>영점 오차를 측정하지 않아 어떤 한계와도 비교하지 않습니다.</translation>
+    </message>
+    <message>
+        <source>The creep error was not measured and is held against no limit.</source>
+        <translation>크리프 오차를 측정하지 않아 어떤 한계와도 비교하지 않습니다.</translation>
+    </message>
+    <message>
+        <source>The reversibility error was not measured and is held against no limit.</source>
+        <translation>가역성 오차를 측정하지 않아 어떤 한계와도 비교하지 않습니다.</translation>
+    </message>
+    <message>
+        <source>reproducibility</source>
+        <translation>재현성</translation>
+    </message>
+    <message>
+        <source>creep</source>
+        <translation>크리프</translation>
+    </message>
+    <message>
+        <source>zero</source>
+        <translation>영점</translation>
+    </message>
+    <message>
+        <source>temperature</source>
+        <translation>온도</translation>
+    </message>
+    <message>
+        <source>interpolation</source>
+        <translation>보간</translation>
+    </message>
+    <message>
+        <source>reversibility</source>
+        <translation>가역성</translation>
+    </message>
+    <message>
+        <source>deflection</source>
+        <translation>변위</translation>
+    </message>
+    <message>
+        <source>W, relative expanded uncertainty</source>
+        <translation>W, 상대확장불확도</translation>
+    </message>
+    <message>
+        <source>The curve of W is a fit to the steps, raised by %1 % so that no step lies above it.</source>
+        <translation>W의 곡선은 단계에 맞춘 것이며, 어떤 단계도 그 위에 놓이지 않도록 %1 % 올렸습니다.</translation>
+    </message>
+    <message>
+        <source>directions of each series, mean of both faces</source>
+        <translation>각 계열의 방향, 정위와 반위의 평균</translation>
+    </message>
+    <message>
+        <source>zenith angles of each series</source>
+        <translation>각 계열의 천정각</translation>
+    </message>
+    <message>
+        <source>pooled over the series, ν readings less unknowns; JCGM 100 H.3.2, E.4.3</source>
+        <translation>계열 전체의 합동, ν는 읽음값 수에서 미지수 수를 뺀 것; JCGM 100 H.3.2, E.4.3</translation>
+    </message>
+    <message>
+        <source>index error, s_i within the series; JCGM 100 4.2.3</source>
+        <translation>지표 오차, 계열 내의 s_i; JCGM 100 4.2.3</translation>
+    </message>
+    <message>
+        <source>standard deviation of a direction, measured once in both faces</source>
+        <translation>정위와 반위로 한 번 측정한 방향의 표준편차</translation>
+    </message>
+    <message>
+        <source>standard deviation of a zenith angle, measured once in both faces</source>
+        <translation>정위와 반위로 한 번 측정한 천정각의 표준편차</translation>
+    </message>
+    <message>
+        <source>Targets stand in their directions; how far they are is not known.</source>
+        <translation>표적은 그 방향에 그립니다. 얼마나 떨어져 있는지는 알려져 있지 않습니다.</translation>
+    </message>
+    <message>
+        <source>least squares of the rounds, residuals of %1 series</source>
+        <translation>대회의 최소제곱, 계열 %1개의 잔차</translation>
+    </message>
+    <message>
+        <source>scatter of the index</source>
+        <translation>지표 오차의 산포</translation>
+    </message>
+    <message>
+        <source>mean of %1 readings in both faces</source>
+        <translation>정위와 반위 읽음값 %1개의 평균</translation>
+    </message>
+    <message>
+        <source>index error of the vertical circle</source>
+        <translation>연직분도원의 지표 오차</translation>
+    </message>
+    <message>
+        <source>the directions leave nothing that would tell their scatter: read two targets or more in two sets or more</source>
+        <translation>방향에 산포를 알려 줄 것이 남지 않습니다. 두 대회 이상에서 표적을 두 개 이상 읽으십시오</translation>
+    </message>
+    <message>
+        <source>the zenith angles leave nothing that would tell their scatter: read targets in two sets or more</source>
+        <translation>천정각에 산포를 알려 줄 것이 남지 않습니다. 두 대회 이상에서 표적을 읽으십시오</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; in set %2 is read in one face only: a reading needs both</source>
+        <translation>대회 %2의 &apos;%1&apos;은(는) 정위와 반위 중 하나로만 읽었습니다. 읽음값에는 둘 다 필요합니다</translation>
+    </message>
+    <message>
+        <source>the faces of &apos;%1&apos; in set %2 differ by more than 10° from half a circle: check the faces, the target and that V is a zenith angle</source>
+        <translation>대회 %2의 &apos;%1&apos;의 정위와 반위의 차가 반 바퀴에서 10° 넘게 벗어납니다. 정위와 반위, 표적, 그리고 V가 천정각인지 확인하십시오</translation>
+    </message>
+    <message>
+        <source>the zenith angle of &apos;%1&apos; in set %2 in face I is not between 0° and 180°</source>
+        <translation>대회 %2의 &apos;%1&apos;의 정위 I 천정각이 0°와 180° 사이가 아닙니다</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; in set %2 has no reading</source>
+        <translation>대회 %2의 &apos;%1&apos;에 읽음값이 없습니다</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is there twice in set %2 of series %3</source>
+        <translation>&apos;%1&apos;이(가) 계열 %3의 대회 %2에 두 번 있습니다</translation>
+    </message>
+    <message>
+        <source>%1 rows of readings are more than the most, %2</source>
+        <translation>읽음값이 %1행으로 최대 %2행을 넘습니다</translation>
+    </message>
+    <message>
+        <source>a: s of %1 is not larger than the stated σ</source>
+        <translation>a: %1의 s가 제시된 σ보다 크지 않음</translation>
+    </message>
+    <message>
+        <source>b: s of %1 and that of the other campaign are of one σ, s²/s²</source>
+        <translation>b: %1의 s와 다른 측정의 s가 같은 σ의 것임, s²/s²</translation>
+    </message>
+    <message>
+        <source>c: the index error is not different from zero</source>
+        <translation>c: 지표 오차가 0과 다르지 않음</translation>
+    </message>
+    <message>
+        <source>An index error is seen: it leaves the mean of both faces; take it off readings in face I alone, or adjust the instrument.</source>
+        <translation>지표 오차가 드러납니다. 정위와 반위의 평균에서는 없어집니다. 정위 I만의 읽음값에서는 빼거나 측정기를 조정하십시오.</translation>
+    </message>
+    <message>
+        <source>the index error is the same in all series, s²/s²</source>
+        <translation>지표 오차가 모든 계열에서 같음, s²/s²</translation>
+    </message>
+    <message>
+        <source>The index error changed between the series: it is not one figure, and its u holds for the mean of these series only.</source>
+        <translation>지표 오차가 계열 사이에 바뀌었습니다. 하나의 수치가 아니며, 그 u는 이 계열들의 평균에만 유효합니다.</translation>
+    </message>
+    <message>
+        <source>a direction</source>
+        <translation>방향</translation>
+    </message>
+    <message>
+        <source>a zenith angle</source>
+        <translation>천정각</translation>
+    </message>
+    <message>
+        <source>relative</source>
+        <translation>상대</translation>
+    </message>
+    <message>
+        <source>s of a direction, measured once in both faces</source>
+        <translation>정위와 반위로 한 번 측정한 방향의 s</translation>
+    </message>
+    <message>
+        <source>s of a zenith angle, measured once in both faces</source>
+        <translation>정위와 반위로 한 번 측정한 천정각의 s</translation>
+    </message>
+    <message>
+        <source>s of a direction</source>
+        <translation>방향의 s</translation>
+    </message>
+    <message>
+        <source>its degrees of freedom</source>
+        <translation>그 자유도</translation>
+    </message>
+    <message>
+        <source>s of a zenith angle</source>
+        <translation>천정각의 s</translation>
+    </message>
+    <message>
+        <source>degrees of freedom of that</source>
+        <translation>그 자유도</translation>
+    </message>
+    <message>
+        <source>index error</source>
+        <translation>지표 오차</translation>
+    </message>
+    <message>
+        <source>residual Hz</source>
+        <translation>잔차 Hz</translation>
+    </message>
+    <message>
+        <source>residual V</source>
+        <translation>잔차 V</translation>
+    </message>
+    <message>
+        <source>index</source>
+        <translation>지표 오차</translation>
+    </message>
+    <message>
+        <source>theodolite</source>
+        <translation>데오돌라이트</translation>
+    </message>
+    <message>
+        <source>values found, without the adjustments; t in years, t_m their weighted mean</source>
+        <translation>조정을 제외한, 구한 값; t는 년, t_m은 그 가중평균</translation>
+    </message>
+    <message>
+        <source>drift since the last calibration, on the date of use</source>
+        <translation>사용일에서의, 마지막 교정 이후의 드리프트</translation>
+    </message>
+    <message>
+        <source>value on the date of use; c is what all values share</source>
+        <translation>사용일의 값; c는 모든 값이 공유하는 것</translation>
+    </message>
+    <message>
+        <source>least squares, %1 calibrations</source>
+        <translation>최소제곱, 교정 %1회</translation>
+    </message>
+    <message>
+        <source>level of the line, at the mean of the dates</source>
+        <translation>날짜의 평균에서 직선의 높이</translation>
+    </message>
+    <message>
+        <source>scatter about the line</source>
+        <translation>직선 둘레의 산포</translation>
+    </message>
+    <message>
+        <source>drift in a year</source>
+        <translation>1년의 드리프트</translation>
+    </message>
+    <message>
+        <source>scatter of one value about the line</source>
+        <translation>값 하나의 직선 둘레 산포</translation>
+    </message>
+    <message>
+        <source>deviation that all values share</source>
+        <translation>모든 값이 공유하는 편차</translation>
+    </message>
+    <message>
+        <source>drift since the last calibration, %1</source>
+        <translation>마지막 교정 이후의 드리프트, %1</translation>
+    </message>
+    <message>
+        <source>the limit is not kept even on the day of the last calibration</source>
+        <translation>마지막 교정일에도 한계가 지켜지지 않습니다</translation>
+    </message>
+    <message>
+        <source>a date of the form 2026-04-17 is needed; it is &apos;%1&apos;</source>
+        <translation>2026-04-17 형식의 날짜가 필요합니다. 현재 &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>the calibration in row %1 is not after the one before it</source>
+        <translation>%1행의 교정이 그 앞의 교정보다 뒤가 아닙니다</translation>
+    </message>
+    <message>
+        <source>row %1 needs the standard uncertainty of its value</source>
+        <translation>%1행에 그 값의 표준불확도가 필요합니다</translation>
+    </message>
+    <message>
+        <source>two calibrations have no scatter about a line: state the uncertainty of each value, or add a third</source>
+        <translation>교정 두 번에는 직선 둘레의 산포가 없습니다. 각 값의 불확도를 제시하거나 세 번째 교정을 추가하십시오</translation>
+    </message>
+    <message>
+        <source>the rule needs a limit above zero</source>
+        <translation>규칙에 0보다 큰 한계가 필요합니다</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is the symbol of a drift: choose another one</source>
+        <translation>&apos;%1&apos;은(는) 드리프트의 기호입니다. 다른 기호를 선택하십시오</translation>
+    </message>
+    <message>
+        <source>the date of use is before the last calibration</source>
+        <translation>사용일이 마지막 교정보다 앞섭니다</translation>
+    </message>
+    <message>
+        <source>standard uncertainty of the drift in a year</source>
+        <translation>1년의 드리프트의 표준불확도</translation>
+    </message>
+    <message>
+        <source>drift from the last calibration to the date of use</source>
+        <translation>마지막 교정부터 사용일까지의 드리프트</translation>
+    </message>
+    <message>
+        <source>corrected: its standard uncertainty</source>
+        <translation>보정함: 그 표준불확도</translation>
+    </message>
+    <message>
+        <source>not corrected: half-width of a rectangular distribution</source>
+        <translation>보정하지 않음: 직사각형 분포의 반너비</translation>
+    </message>
+    <message>
+        <source>not corrected: standard uncertainty</source>
+        <translation>보정하지 않음: 표준불확도</translation>
+    </message>
+    <message>
+        <source>The values scatter more about the line than their uncertainties say: state larger ones, or take the uncertainty from the residuals.</source>
+        <translation>값들의 직선 둘레 산포가 그 불확도보다 큽니다. 더 큰 불확도를 제시하거나 잔차에서 불확도를 구하십시오.</translation>
+    </message>
+    <message>
+        <source>last calibration</source>
+        <translation>마지막 교정</translation>
+    </message>
+    <message>
+        <source>next calibration, at the latest</source>
+        <translation>다음 교정, 늦어도</translation>
+    </message>
+    <message>
+        <source>The limit is not kept even on the day of the last calibration.</source>
+        <translation>마지막 교정일에도 한계가 지켜지지 않습니다.</translation>
+    </message>
+    <message>
+        <source>The limit would be kept for longer: the longest interval decides.</source>
+        <translation>한계는 더 오래 지켜질 것이므로 최대 주기가 결정합니다.</translation>
+    </message>
+    <message>
+        <source>The last day on which the figure of the rule, with k times its u, is within the limit.</source>
+        <translation>규칙의 수치에 그 u의 k배를 더한 값이 한계 안에 있는 마지막 날.</translation>
+    </message>
+    <message>
+        <source>deflection, mean of the rotations</source>
+        <translation>변위, 회전들의 평균</translation>
+    </message>
+    <message>
+        <source>reproducibility, repeatability and reversibility errors, ISO 376</source>
+        <translation>재현성, 반복성, 가역성 오차, ISO 376</translation>
+    </message>
+    <message>
+        <source>interpolation, zero and creep errors, ISO 376</source>
+        <translation>보간, 영점, 크리프 오차, ISO 376</translation>
+    </message>
+    <message>
+        <source>interpolation, degree 1 to 3</source>
+        <translation>보간, 차수 1~3</translation>
+    </message>
+    <message>
+        <source>machine, reproducibility, repeatability, resolution, creep, zero, temperature, interpolation, EURAMET cg-4; (v/divisor)² for decreasing forces</source>
+        <translation>교정기, 재현성, 반복성, 분해능, 크리프, 영점, 온도, 보간, EURAMET cg-4; 감소하는 힘에는 (v/제수)²</translation>
+    </message>
+    <message>
+        <source>ν forces less coefficients</source>
+        <translation>ν는 힘의 수에서 계수의 수를 뺀 것</translation>
+    </message>
+    <message>
+        <source>force of the calibration machine</source>
+        <translation>교정기의 힘</translation>
+    </message>
+    <message>
+        <source>calibration machine &apos;%1&apos;</source>
+        <translation>교정기 &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>uncertainties of the forces</source>
+        <translation>힘의 불확도</translation>
+    </message>
+    <message>
+        <source>indications after 30 s and 300 s</source>
+        <translation>30 s와 300 s 후의 지시값</translation>
+    </message>
+    <message>
+        <source>zero error</source>
+        <translation>영점 오차</translation>
+    </message>
+    <message>
+        <source>largest change of the indication without load</source>
+        <translation>무하중 지시값의 최대 변화</translation>
+    </message>
+    <message>
+        <source>temperature of the instrument</source>
+        <translation>측정기의 온도</translation>
+    </message>
+    <message>
+        <source>temperature coefficient and half width</source>
+        <translation>온도계수와 반너비</translation>
+    </message>
+    <message>
+        <source>reproducibility with rotation</source>
+        <translation>회전 있는 재현성</translation>
+    </message>
+    <message>
+        <source>three positions of the instrument</source>
+        <translation>측정기의 세 위치</translation>
+    </message>
+    <message>
+        <source>mean deflection at %1</source>
+        <translation>%1에서의 평균 변위</translation>
+    </message>
+    <message>
+        <source>repeatability without rotation</source>
+        <translation>회전 없는 반복성</translation>
+    </message>
+    <message>
+        <source>two series in one position</source>
+        <translation>한 위치에서의 계열 둘</translation>
+    </message>
+    <message>
+        <source>resolution of the indicator</source>
+        <translation>지시계의 분해능</translation>
+    </message>
+    <message>
+        <source>difference of two indications</source>
+        <translation>두 지시값의 차</translation>
+    </message>
+    <message>
+        <source>decreasing against increasing force</source>
+        <translation>감소하는 힘과 증가하는 힘의 비교</translation>
+    </message>
+    <message>
+        <source>interpolated less mean deflection at %1</source>
+        <translation>%1에서 보간 변위에서 평균 변위를 뺀 값</translation>
+    </message>
+    <message>
+        <source>residuals of %1 forces</source>
+        <translation>힘 %1개의 잔차</translation>
+    </message>
+    <message>
+        <source>interpolated deflection at %1</source>
+        <translation>%1에서의 보간 변위</translation>
+    </message>
+    <message>
+        <source>coefficient of F to the power %1</source>
+        <translation>F의 %1제곱의 계수</translation>
+    </message>
+    <message>
+        <source>series %1 has no indication without load</source>
+        <translation>계열 %1에 무하중 지시값이 없습니다</translation>
+    </message>
+    <message>
+        <source>series %1 has two rows without load</source>
+        <translation>계열 %1에 무하중 행이 두 개 있습니다</translation>
+    </message>
+    <message>
+        <source>the force of %1 is there twice: readings of a force are one row</source>
+        <translation>힘 %1이(가) 두 번 있습니다. 한 힘의 읽음값은 한 행입니다</translation>
+    </message>
+    <message>
+        <source>nothing says the uncertainty of the force of %1: it needs a calibration machine or a U of its own</source>
+        <translation>힘 %1의 불확도를 알 수 없습니다. 교정기 또는 자체 U가 필요합니다</translation>
+    </message>
+    <message>
+        <source>%1 forces are more than the most, %2</source>
+        <translation>힘이 %1개로 최대 %2개를 넘습니다</translation>
+    </message>
+    <message>
+        <source>%1 forces leave nothing that would tell how well a polynomial of %2 coefficients fits: calibrate more forces or lower the degree</source>
+        <translation>힘 %1개로는 계수 %2개의 다항식이 얼마나 잘 맞는지 알려 줄 것이 남지 않습니다. 더 많은 힘을 교정하거나 차수를 낮추십시오</translation>
+    </message>
+    <message>
+        <source>%1 forces do not determine a polynomial of degree %2</source>
+        <translation>힘 %1개로는 %2차 다항식이 결정되지 않습니다</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; states no uncertainty of %2</source>
+        <translation>&apos;%1&apos;이(가) %2의 불확도를 제시하지 않습니다</translation>
+    </message>
+    <message>
+        <source>creep needs the indications after 30 s and after 300 s</source>
+        <translation>크리프에는 30 s 후와 300 s 후의 지시값이 필요합니다</translation>
+    </message>
+    <message>
+        <source>the deflection of series %1 does not grow up to %2: check the indications, and those without load</source>
+        <translation>계열 %1의 변위가 %2까지 증가하지 않습니다. 지시값과 무하중 지시값을 확인하십시오</translation>
+    </message>
+    <message>
+        <source>for use with decreasing forces an indication X4′ or X6′ has to be read at %1</source>
+        <translation>감소하는 힘에 사용하려면 %1에서 지시값 X4′ 또는 X6′을 읽어야 합니다</translation>
+    </message>
+    <message>
+        <source>force %1</source>
+        <translation>힘 %1</translation>
+    </message>
+    <message>
+        <source>the date of &apos;%1&apos; must be of the form 2026-04-17; it is &apos;%2&apos;</source>
+        <translation>&apos;%1&apos;의 날짜는 2026-04-17 형식이어야 합니다. 현재 &apos;%2&apos;</translation>
+    </message>
+    <message>
+        <source>the date of &apos;%1&apos; is before that of the step before it</source>
+        <translation>&apos;%1&apos;의 날짜가 그 앞 단계의 날짜보다 앞섭니다</translation>
+    </message>
+    <message>
+        <source>a step of the review</source>
+        <translation>검토의 단계</translation>
+    </message>
+    <message>
+        <source>a part that was released</source>
+        <translation>확정된 부분</translation>
+    </message>
+    <message>
+        <source>an entry of the log</source>
+        <translation>로그의 항목</translation>
+    </message>
+    <message>
+        <source>the review</source>
+        <translation>검토</translation>
+    </message>
+    <message>
+        <source>the title</source>
+        <translation>제목</translation>
+    </message>
+    <message>
+        <source>the notes of the project</source>
+        <translation>프로젝트의 메모</translation>
+    </message>
+    <message>
+        <source>the author</source>
+        <translation>작성자</translation>
+    </message>
+    <message>
+        <source>the number of the project</source>
+        <translation>프로젝트의 번호</translation>
+    </message>
+    <message>
+        <source>the texts of the certificate</source>
+        <translation>성적서의 텍스트</translation>
+    </message>
+    <message>
+        <source>what the replaced certificate stated</source>
+        <translation>대체된 성적서에 기재된 것</translation>
+    </message>
+    <message>
+        <source>what goes into the report</source>
+        <translation>보고서에 들어가는 것</translation>
+    </message>
+    <message>
+        <source>how results are stated</source>
+        <translation>결과의 표기 방식</translation>
+    </message>
+    <message>
+        <source>the names and dates of the review</source>
+        <translation>검토의 이름과 날짜</translation>
+    </message>
+    <message>
+        <source>which assets and analyses there are, or their order</source>
+        <translation>어떤 에셋과 분석이 있는지, 또는 그 순서</translation>
+    </message>
+    <message>
+        <source>asset %1</source>
+        <translation>에셋 %1</translation>
+    </message>
+    <message>
+        <source>analysis %1</source>
+        <translation>분석 %1</translation>
+    </message>
+    <message>
+        <source>texts or certificates of asset %1</source>
+        <translation>에셋 %1의 텍스트 또는 성적서</translation>
+    </message>
+    <message>
+        <source>texts, requirements or designs of analysis %1</source>
+        <translation>분석 %1의 텍스트, 요구사항 또는 설계</translation>
+    </message>
+    <message>
+        <source>%1, which is new</source>
+        <translation>%1(새로 생김)</translation>
+    </message>
+    <message>
+        <source>%1, which is no longer there</source>
+        <translation>%1(없어짐)</translation>
+    </message>
+    <message>
+        <source>%1 on %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>the record of the release</source>
+        <translation>확정의 기록</translation>
+    </message>
+    <message>
+        <source>draft: it was not released</source>
+        <translation>초안: 확정되지 않았습니다</translation>
+    </message>
+    <message>
+        <source>released by %1, digest %2</source>
+        <translation>%1이(가) 확정함, 해시 %2</translation>
+    </message>
+    <message>
+        <source>draft again: changed since it was released by %1: %2</source>
+        <translation>다시 초안: %1이(가) 확정한 뒤 바뀌었습니다: %2</translation>
+    </message>
+    <message>
+        <source>it is not released: &apos;%1&apos; needs a name and a date of the form 2026-04-17</source>
+        <translation>확정되지 않았습니다. &apos;%1&apos;에 이름과 2026-04-17 형식의 날짜가 필요합니다</translation>
+    </message>
+    <message>
+        <source>a text of the replaced certificate</source>
+        <translation>대체된 성적서의 텍스트</translation>
+    </message>
+    <message>
+        <source>a result of the replaced certificate</source>
+        <translation>대체된 성적서의 결과</translation>
+    </message>
+    <message>
+        <source>the certificate cannot have been issued before the one that it replaces</source>
+        <translation>성적서는 그것이 대체하는 성적서보다 먼저 발행될 수 없습니다</translation>
+    </message>
+    <message>
+        <source>an amended certificate has a number of its own, not that of the one that it replaces</source>
+        <translation>수정 성적서는 대체하는 성적서의 번호가 아니라 자체 번호를 가집니다</translation>
+    </message>
+    <message>
+        <source>%1 directions are of face two, as the zenith angles of their sights say</source>
+        <translation>방향 %1개가, 그 시준의 천정각에 따르면 반위입니다</translation>
+    </message>
+    <message>
+        <source>Draft</source>
+        <translation>초안</translation>
+    </message>
+    <message>
+        <source>it was not released</source>
+        <translation>확정되지 않았습니다</translation>
+    </message>
+    <message>
+        <source>changed since the release by %1: %2</source>
+        <translation>%1의 확정 이후 바뀌었습니다: %2</translation>
+    </message>
+    <message>
+        <source>Digest of the release</source>
+        <translation>확정의 해시</translation>
+    </message>
+    <message>
+        <source>the certificate that is to be replaced has no number: there is none to refer to</source>
+        <translation>대체될 성적서에 번호가 없습니다. 참조할 번호가 없습니다</translation>
+    </message>
+    <message>
+        <source>an amended certificate has a number of its own; %1 is that of the one that it replaces</source>
+        <translation>수정 성적서는 자체 번호를 가집니다. %1은(는) 그것이 대체하는 성적서의 번호입니다</translation>
+    </message>
+    <message>
+        <source>the date of issue must be of the form 2026-04-17; it is &apos;%1&apos;</source>
+        <translation>발행일은 2026-04-17 형식이어야 합니다. 현재 &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>Table %1, continued</source>
+        <translation>표 %1, 계속</translation>
+    </message>
+    <message>
+        <source>Errors after ISO 376</source>
+        <translation>ISO 376에 따른 오차</translation>
+    </message>
+    <message>
+        <source>mean deflection</source>
+        <translation>평균 변위</translation>
+    </message>
+    <message>
+        <source>Classes by the limits entered</source>
+        <translation>입력한 한계에 따른 등급</translation>
+    </message>
+    <message>
+        <source>Relative standard uncertainties and W</source>
+        <translation>상대표준불확도와 W</translation>
+    </message>
+    <message>
+        <source>Curves over the force</source>
+        <translation>힘에 대한 곡선</translation>
+    </message>
+    <message>
+        <source>power of the force</source>
+        <translation>힘의 거듭제곱</translation>
+    </message>
+    <message>
+        <source>Errors over the force</source>
+        <translation>힘에 대한 오차</translation>
+    </message>
+    <message>
+        <source>relative error</source>
+        <translation>상대 오차</translation>
+    </message>
+    <message>
+        <source>Relative expanded uncertainty over the force</source>
+        <translation>힘에 대한 상대확장불확도</translation>
+    </message>
+    <message>
+        <source>Drift</source>
+        <translation>드리프트</translation>
+    </message>
+    <message>
+        <source>Calibrations and their residuals</source>
+        <translation>교정과 그 잔차</translation>
+    </message>
+    <message>
+        <source>Change since the first calibration</source>
+        <translation>첫 교정 이후의 변화</translation>
+    </message>
+    <message>
+        <source>years since the first calibration</source>
+        <translation>첫 교정 이후 햇수</translation>
+    </message>
+    <message>
+        <source>line ± k u</source>
+        <translation>직선 ± k u</translation>
+    </message>
+    <message>
+        <source>Series</source>
+        <translation>계열</translation>
+    </message>
+    <message>
+        <source>Residuals of the directions</source>
+        <translation>방향의 잔차</translation>
+    </message>
+    <message>
+        <source>Residuals of the zenith angles</source>
+        <translation>천정각의 잔차</translation>
     </message>
 </context>
 <context>
@@ -20459,6 +22011,10 @@ It says “not stated” in these places. They are fields of the project&apos;s 
         <source>What Every Analysis &amp;Has</source>
         <translation>모든 분석에 있는 것(&amp;H)</translation>
     </message>
+    <message>
+        <source>Re&amp;view and Release</source>
+        <translation>검토 및 확정(&amp;V)</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::HelpPane</name>
@@ -21521,6 +23077,18 @@ Chosen: %2</source>
         <source>or</source>
         <translation>또는</translation>
     </message>
+    <message>
+        <source>Project: review</source>
+        <translation>프로젝트: 검토</translation>
+    </message>
+    <message>
+        <source>certificate %1</source>
+        <translation>성적서 %1</translation>
+    </message>
+    <message>
+        <source>date of the measurement</source>
+        <translation>측정일</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::ProblemsPane</name>
@@ -21808,6 +23376,10 @@ It is used by: %1. They will have an error until they use something else.</sourc
         <source>Certificates</source>
         <translation>성적서</translation>
     </message>
+    <message>
+        <source>Review</source>
+        <translation>검토</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::QuantityEdit</name>
@@ -21977,6 +23549,10 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>Requirements for Results</source>
         <translation>결과의 요구사항</translation>
+    </message>
+    <message>
+        <source>Left out, for their unit is another: %1.</source>
+        <translation>단위가 달라서 뺀 것: %1.</translation>
     </message>
 </context>
 <context>
@@ -22170,6 +23746,88 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>Seen</source>
         <translation>드러난 값</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::ReviewForm</name>
+    <message>
+        <source>draft</source>
+        <translation>초안</translation>
+    </message>
+    <message>
+        <source>released</source>
+        <translation>확정됨</translation>
+    </message>
+    <message>
+        <source>draft again</source>
+        <translation>다시 초안</translation>
+    </message>
+    <message>
+        <source>A release states in report and certificate who is responsible, and a digest by which every later change shows.</source>
+        <translation>확정하면 보고서와 성적서에 책임자와, 이후의 모든 변경을 드러내는 해시가 적힙니다.</translation>
+    </message>
+    <message>
+        <source>Release</source>
+        <translation>확정</translation>
+    </message>
+    <message>
+        <source>Who</source>
+        <translation>이름</translation>
+    </message>
+    <message>
+        <source>What was done</source>
+        <translation>한 일</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>날짜</translation>
+    </message>
+    <message>
+        <source>The day of this step; empty: that of the release.</source>
+        <translation>이 단계의 날짜. 비어 있으면 확정일.</translation>
+    </message>
+    <message>
+        <source>Change %1</source>
+        <translation>%1 변경</translation>
+    </message>
+    <message>
+        <source>Add to the Log</source>
+        <translation>로그에 추가</translation>
+    </message>
+    <message>
+        <source>Release the project</source>
+        <translation>프로젝트 확정</translation>
+    </message>
+    <message>
+        <source>Add to the log</source>
+        <translation>로그에 추가</translation>
+    </message>
+    <message>
+        <source>A project with errors is not released.</source>
+        <translation>오류가 있는 프로젝트는 확정되지 않습니다.</translation>
+    </message>
+    <message>
+        <source>All three names are needed.</source>
+        <translation>세 이름이 모두 필요합니다.</translation>
+    </message>
+    <message>
+        <source>Takes the digest of the project as it is now</source>
+        <translation>현재 프로젝트의 해시를 취합니다</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::RowTools</name>
+    <message>
+        <source>Add row</source>
+        <translation>행 추가</translation>
+    </message>
+    <message>
+        <source>Delete rows</source>
+        <translation>행 삭제</translation>
+    </message>
+    <message>
+        <source>Fill down</source>
+        <translation>아래로 채우기</translation>
     </message>
 </context>
 <context>
@@ -23169,14 +24827,6 @@ It is used by: %1. They will have an error until they use something else.</sourc
         <translation>프로젝트에 넣기</translation>
     </message>
     <message>
-        <source>Add row</source>
-        <translation>행 추가</translation>
-    </message>
-    <message>
-        <source>Delete rows</source>
-        <translation>행 삭제</translation>
-    </message>
-    <message>
         <source>Import CSV …</source>
         <translation>CSV 가져오기 …</translation>
     </message>
@@ -23207,10 +24857,6 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>Shows also the columns that no row has something in</source>
         <translation>어느 행에도 값이 없는 열도 보입니다</translation>
-    </message>
-    <message>
-        <source>Fill down</source>
-        <translation>아래로 채우기</translation>
     </message>
 </context>
 <context>

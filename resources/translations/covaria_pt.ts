@@ -14741,10 +14741,6 @@ nu 18 atrás de qualquer um deles: graus de liberdade</translation>
         <translation>%1: o valor não é positivo</translation>
     </message>
     <message>
-        <source>%1 is not between 0 and half a turn: state the mean of both faces</source>
-        <translation>%1 não está entre 0 e meia volta: declare a média das duas posições da luneta</translation>
-    </message>
-    <message>
         <source>%1 needs the height of %2, which is not part of the network</source>
         <translation>%1 precisa da altura de %2, que não faz parte da rede</translation>
     </message>
@@ -16349,10 +16345,6 @@ nu 18 atrás de qualquer um deles: graus de liberdade</translation>
         <translation>Nome do instrumento, como na coluna das leituras; vazio: de todas as leituras que não têm nenhum.</translation>
     </message>
     <message>
-        <source>What it does to all of its readings alike: its zero is added to distances, by its scale (weather correction included) they are longer, refraction bends its lines of sight, its index is added to zenith angles, its collimation over the sine of the zenith angle to directions.</source>
-        <translation>O que ele faz a todas as suas leituras igualmente: seu zero é somado às distâncias, por sua escala (correção meteorológica incluída) elas são mais longas, a refração curva suas linhas de visada, seu índice é somado aos ângulos zenitais, sua colimação, dividida pelo seno do ângulo zenital, às direções.</translation>
-    </message>
-    <message>
         <source>zero of distances</source>
         <translation>zero das distâncias</translation>
     </message>
@@ -17713,10 +17705,6 @@ nu 18 atrás de qualquer um deles: graus de liberdade</translation>
         <translation>circuito de desníveis, %1</translation>
     </message>
     <message>
-        <source>before the adjustment: %1 closes with %2 %3, %4 times its u</source>
-        <translation>antes do ajustamento: %1 fecha com %2 %3, %4 vezes sua u</translation>
-    </message>
-    <message>
         <source>and %1 more closures are beyond 3.29 times their u</source>
         <translation>e mais %1 fechamentos estão além de 3.29 vezes sua u</translation>
     </message>
@@ -18127,6 +18115,1570 @@ nu 18 atrás de qualquer um deles: graus de liberdade</translation>
     <message>
         <source>data sheet</source>
         <translation>folha de dados</translation>
+    </message>
+    <message>
+        <source>face</source>
+        <translation>face</translation>
+    </message>
+    <message>
+        <source>Of a direction, azimuth or zenith angle: the face in which it was read, as it was read. A zenith angle beyond half a turn is of face two anyway. It is brought to face one; index and collimation change it the other way.</source>
+        <translation>De uma direção, um azimute ou um ângulo zenital: a face em que foi lido, tal como foi lido. Um ângulo zenital além de meia volta é de todo modo da face dois. A leitura é levada à face um; índice e colimação a alteram no sentido contrário.</translation>
+    </message>
+    <message>
+        <source>one</source>
+        <translation>um</translation>
+    </message>
+    <message>
+        <source>two</source>
+        <translation>dois</translation>
+    </message>
+    <message>
+        <source>What it does to all of its readings alike: its zero is added to distances, by its scale (weather correction included) they are longer, refraction bends its lines of sight, its index is added to zenith angles, its collimation over the sine of the zenith angle to directions; in face two both are taken off.</source>
+        <translation>O que ele faz a todas as suas leituras igualmente: seu zero é somado às distâncias, por sua escala (correção meteorológica incluída) elas são mais longas, a refração curva suas linhas de visada, seu índice é somado aos ângulos zenitais, sua colimação, dividida pelo seno do ângulo zenital, às direções; na face dois ambos são subtraídos.</translation>
+    </message>
+    <message>
+        <source>Theodolite in rounds</source>
+        <translation>Teodolito em séries de visadas</translation>
+    </message>
+    <message>
+        <source>Standard deviations of a direction and of a zenith angle measured once in both faces, and the index error of the vertical circle, from rounds to targets as ISO 17123-3 has them, with their uncertainties and the statistical tests.</source>
+        <translation>Desvios-padrão de uma direção e de um ângulo zenital medidos uma vez em ambas as faces, e o erro de índice do círculo vertical, por séries de visadas a alvos como as prevê a ISO 17123-3, com suas incertezas e os testes estatísticos.</translation>
+    </message>
+    <message>
+        <source>Any number of series, sets and targets counts, also with readings left out; four series of three sets of five targets leave 32 degrees of freedom for directions and 40 for zenith angles.</source>
+        <translation>Vale qualquer número de séries, conjuntos e alvos, também com leituras omitidas; quatro séries de três conjuntos de cinco alvos deixam 32 graus de liberdade para as direções e 40 para os ângulos zenitais.</translation>
+    </message>
+    <message>
+        <source>The index error is positive where a zenith angle in face I reads too large. Its sign and the estimate of its uncertainty from its own scatter are those of this program; hold them against the text of the standard before a sheet names it.</source>
+        <translation>O erro de índice é positivo onde um ângulo zenital na face I é lido grande demais. Seu sinal e a estimativa de sua incerteza a partir de sua própria dispersão são os deste programa; confronte-os com o texto da norma antes que uma folha a nomeie.</translation>
+    </message>
+    <message>
+        <source>That the index error is the same in all series is a test of this program.</source>
+        <translation>Que o erro de índice é o mesmo em todas as séries é um teste deste programa.</translation>
+    </message>
+    <message>
+        <source>A mean of both faces says nothing of collimation and of the tilt of the axes, which it does not contain.</source>
+        <translation>Uma média de ambas as faces nada diz da colimação e da inclinação dos eixos, que ela não contém.</translation>
+    </message>
+    <message>
+        <source>A row for each target of each set, with the readings in both faces: directions, zenith angles, or both. Typed, pasted or from a CSV file.</source>
+        <translation>Uma linha para cada alvo de cada conjunto, com as leituras em ambas as faces: direções, ângulos zenitais, ou ambos. Digitadas, coladas ou de um arquivo CSV.</translation>
+    </message>
+    <message>
+        <source>Number of the series; within one the instrument stands unchanged. Empty: 1.</source>
+        <translation>Número da série; dentro de uma série o instrumento permanece inalterado. Vazio: 1.</translation>
+    </message>
+    <message>
+        <source>Number of the set (round) within its series.</source>
+        <translation>Número do conjunto (giro de visadas) dentro de sua série.</translation>
+    </message>
+    <message>
+        <source>Hz I</source>
+        <translation>Hz I</translation>
+    </message>
+    <message>
+        <source>Horizontal circle in face I.</source>
+        <translation>Círculo horizontal na face I.</translation>
+    </message>
+    <message>
+        <source>Hz II</source>
+        <translation>Hz II</translation>
+    </message>
+    <message>
+        <source>Horizontal circle in face II.</source>
+        <translation>Círculo horizontal na face II.</translation>
+    </message>
+    <message>
+        <source>V I</source>
+        <translation>V I</translation>
+    </message>
+    <message>
+        <source>Zenith angle in face I: 90° on the horizon.</source>
+        <translation>Ângulo zenital na face I: 90° no horizonte.</translation>
+    </message>
+    <message>
+        <source>V II</source>
+        <translation>V II</translation>
+    </message>
+    <message>
+        <source>Zenith angle in face II: 270° on the horizon.</source>
+        <translation>Ângulo zenital na face II: 270° no horizonte.</translation>
+    </message>
+    <message>
+        <source>σ of a direction, stated or wanted</source>
+        <translation>σ de uma direção, declarado ou desejado</translation>
+    </message>
+    <message>
+        <source>Standard deviation, measured once in both faces, that test a holds s against: of the maker, or what a job needs. Empty: no test a.</source>
+        <translation>Desvio-padrão, de uma medição em ambas as faces, com que o teste a confronta s: do fabricante, ou aquele de que um trabalho precisa. Vazio: sem teste a.</translation>
+    </message>
+    <message>
+        <source>s of a direction, another campaign</source>
+        <translation>s de uma direção, outra campanha</translation>
+    </message>
+    <message>
+        <source>Experimental standard deviation that test b compares s with: of another instrument, observer or day. Empty: no test b.</source>
+        <translation>Desvio-padrão experimental com que o teste b compara s: de outro instrumento, observador ou dia. Vazio: sem teste b.</translation>
+    </message>
+    <message>
+        <source>Degrees of freedom of that s</source>
+        <translation>Graus de liberdade desse s</translation>
+    </message>
+    <message>
+        <source>Of the s of the other campaign; the default is that of four series of three sets of five targets.</source>
+        <translation>Do s da outra campanha; o padrão é o de quatro séries de três conjuntos de cinco alvos.</translation>
+    </message>
+    <message>
+        <source>σ of a zenith angle, stated or wanted</source>
+        <translation>σ de um ângulo zenital, declarado ou desejado</translation>
+    </message>
+    <message>
+        <source>s of a zenith angle, another campaign</source>
+        <translation>s de um ângulo zenital, outra campanha</translation>
+    </message>
+    <message>
+        <source>History of an instrument</source>
+        <translation>Histórico de um instrumento</translation>
+    </message>
+    <message>
+        <source>The drift of an instrument or standard from what its calibrations found, with its uncertainty: the component for its next use, and the day on which its next calibration is due.</source>
+        <translation>A deriva de um instrumento ou padrão a partir do que suas calibrações encontraram, com sua incerteza: a componente para seu próximo uso e o dia em que vence sua próxima calibração.</translation>
+    </message>
+    <message>
+        <source>The drift is taken as linear. Residuals in the evaluation show whether it is.</source>
+        <translation>A deriva é tomada como linear. Os resíduos na avaliação mostram se ela o é.</translation>
+    </message>
+    <message>
+        <source>Adjustments are taken out of the series by their differences as left less as found; these count as exact, because both are values of one calibration.</source>
+        <translation>Os ajustes são retirados da série por suas diferenças, deixado menos encontrado; estas contam como exatas, porque ambos são valores de uma mesma calibração.</translation>
+    </message>
+    <message>
+        <source>What all calibrations share has no part in the drift. The scatter about the line is part of the value on a date of use: the instrument may lie off its line as it did before.</source>
+        <translation>O que todas as calibrações compartilham não faz parte da deriva. A dispersão em torno da reta é parte do valor em uma data de uso: o instrumento pode estar fora de sua reta como esteve antes.</translation>
+    </message>
+    <message>
+        <source>A year has 365.25 days.</source>
+        <translation>Um ano tem 365,25 dias.</translation>
+    </message>
+    <message>
+        <source>Of the value.</source>
+        <translation>Do valor.</translation>
+    </message>
+    <message>
+        <source>What the calibrations state.</source>
+        <translation>O que as calibrações declaram.</translation>
+    </message>
+    <message>
+        <source>In which the values are given.</source>
+        <translation>Na qual os valores são dados.</translation>
+    </message>
+    <message>
+        <source>Calibrations</source>
+        <translation>Calibrações</translation>
+    </message>
+    <message>
+        <source>What each calibration found, typed, pasted or from a CSV file.</source>
+        <translation>O que cada calibração encontrou, digitado, colado ou de um arquivo CSV.</translation>
+    </message>
+    <message>
+        <source>date</source>
+        <translation>data</translation>
+    </message>
+    <message>
+        <source>Of the calibration: 2026-04-17. Earlier ones stand above.</source>
+        <translation>Da calibração: 2026-04-17. As mais antigas ficam acima.</translation>
+    </message>
+    <message>
+        <source>as found</source>
+        <translation>como encontrado</translation>
+    </message>
+    <message>
+        <source>Value or deviation before an adjustment, in the unit.</source>
+        <translation>Valor ou desvio antes de um ajuste, na unidade.</translation>
+    </message>
+    <message>
+        <source>as left</source>
+        <translation>como deixado</translation>
+    </message>
+    <message>
+        <source>After an adjustment, in the unit; empty: not adjusted.</source>
+        <translation>Depois de um ajuste, na unidade; vazio: não ajustado.</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of this value alone, in the unit. Used, and needed, with stated uncertainties.</source>
+        <translation>Incerteza-padrão deste valor sozinho, na unidade. Usada, e necessária, com incertezas declaradas.</translation>
+    </message>
+    <message>
+        <source>From the scatter about the line (three calibrations or more), or as stated for each value.</source>
+        <translation>Da dispersão em torno da reta (três calibrações ou mais), ou como declarada para cada valor.</translation>
+    </message>
+    <message>
+        <source>Common u</source>
+        <translation>u comum</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of a deviation that all values share, as that of the laboratory&apos;s standard, in the unit. It is none of the drift.</source>
+        <translation>Incerteza-padrão de um desvio que todos os valores compartilham, como o do padrão do laboratório, na unidade. Não faz parte da deriva.</translation>
+    </message>
+    <message>
+        <source>Date of use</source>
+        <translation>Data de uso</translation>
+    </message>
+    <message>
+        <source>The value and the drift on that day: 2026-11-28; empty: not asked.</source>
+        <translation>O valor e a deriva nesse dia: 2026-11-28; vazio: não pedidos.</translation>
+    </message>
+    <message>
+        <source>Next calibration</source>
+        <translation>Próxima calibração</translation>
+    </message>
+    <message>
+        <source>Rule</source>
+        <translation>Regra</translation>
+    </message>
+    <message>
+        <source>What must stay within the limit until the next calibration, with k times its u.</source>
+        <translation>O que deve ficar dentro do limite até a próxima calibração, com k vezes sua u.</translation>
+    </message>
+    <message>
+        <source>the drift since the last calibration</source>
+        <translation>a deriva desde a última calibração</translation>
+    </message>
+    <message>
+        <source>the deviation from the nominal value</source>
+        <translation>o desvio em relação ao valor nominal</translation>
+    </message>
+    <message>
+        <source>Limit</source>
+        <translation>Limite</translation>
+    </message>
+    <message>
+        <source>In the unit.</source>
+        <translation>Na unidade.</translation>
+    </message>
+    <message>
+        <source>Nominal value</source>
+        <translation>Valor nominal</translation>
+    </message>
+    <message>
+        <source>In the unit; 0 for deviations.</source>
+        <translation>Na unidade; 0 para desvios.</translation>
+    </message>
+    <message>
+        <source>k of the rule</source>
+        <translation>k da regra</translation>
+    </message>
+    <message>
+        <source>Multiple of u that is added.</source>
+        <translation>Múltiplo de u que é somado.</translation>
+    </message>
+    <message>
+        <source>Longest interval</source>
+        <translation>Intervalo máximo</translation>
+    </message>
+    <message>
+        <source>Years after which it is due in any case.</source>
+        <translation>Anos depois dos quais ela vence em qualquer caso.</translation>
+    </message>
+    <message>
+        <source>Force-proving instrument</source>
+        <translation>Instrumento de medição de força</translation>
+    </message>
+    <message>
+        <source>Errors of a force transducer as ISO 376 has them, from indications under calibration forces in three positions, its interpolation with covariance, W over the force with all its parts as EURAMET cg-4 combines them, and its class by limits that are entered.</source>
+        <translation>Erros de um transdutor de força como os prevê a ISO 376, por indicações sob forças de calibração em três posições, sua interpolação com covariância, W em função da força com todas as suas partes como o EURAMET cg-4 as combina, e sua classe por limites que são inseridos.</translation>
+    </message>
+    <message>
+        <source>Formulas are those in common use; hold them against the texts of ISO 376 and EURAMET cg-4 before a certificate names them. Limits of classes are not built in.</source>
+        <translation>As fórmulas são as de uso comum; confronte-as com os textos da ISO 376 e do EURAMET cg-4 antes que um certificado os nomeie. Limites de classes não estão embutidos.</translation>
+    </message>
+    <message>
+        <source>W of the table has the coverage factor that is entered. Results have the one of their degrees of freedom: three rotations leave two, which k = 2 does not know.</source>
+        <translation>W da tabela tem o fator de abrangência que é inserido. Os resultados têm o de seus graus de liberdade: três rotações deixam dois, do que k = 2 nada sabe.</translation>
+    </message>
+    <message>
+        <source>The uncertainty of the machine&apos;s force, creep, zero and temperature act at all forces alike and are common to them; the rotations keep the covariance between the forces that was seen. What is read at one force is its own.</source>
+        <translation>A incerteza da força da máquina, a fluência, o zero e a temperatura atuam em todas as forças igualmente e são comuns a elas; as rotações mantêm a covariância entre as forças que se observou. O que se lê em uma só força é próprio dela.</translation>
+    </message>
+    <message>
+        <source>The coefficients have the covariance of the mean deflections; the residuals of the interpolation count at the forces, not in the coefficients.</source>
+        <translation>Os coeficientes têm a covariância das deflexões médias; os resíduos da interpolação contam nas forças, não nos coeficientes.</translation>
+    </message>
+    <message>
+        <source>Drift since the calibration, another indicator and other conditions of use are not part of W.</source>
+        <translation>A deriva desde a calibração, outro indicador e outras condições de uso não fazem parte de W.</translation>
+    </message>
+    <message>
+        <source>Forces and indications</source>
+        <translation>Forças e indicações</translation>
+    </message>
+    <message>
+        <source>A row for each calibration force: two series in one position, one after each of two rotations; decreasing forces where they were read. Typed, pasted or from a CSV file.</source>
+        <translation>Uma linha para cada força de calibração: duas séries em uma posição, uma depois de cada uma de duas rotações; forças decrescentes onde foram lidas. Digitadas, coladas ou de um arquivo CSV.</translation>
+    </message>
+    <message>
+        <source>Of the calibration machine; its unit is that of results.</source>
+        <translation>Da máquina de calibração; sua unidade é a dos resultados.</translation>
+    </message>
+    <message>
+        <source>X1</source>
+        <translation>X1</translation>
+    </message>
+    <message>
+        <source>First position, increasing force.</source>
+        <translation>Primeira posição, força crescente.</translation>
+    </message>
+    <message>
+        <source>X2</source>
+        <translation>X2</translation>
+    </message>
+    <message>
+        <source>The same position again.</source>
+        <translation>A mesma posição de novo.</translation>
+    </message>
+    <message>
+        <source>X3</source>
+        <translation>X3</translation>
+    </message>
+    <message>
+        <source>After the first rotation, increasing force.</source>
+        <translation>Depois da primeira rotação, força crescente.</translation>
+    </message>
+    <message>
+        <source>X4′</source>
+        <translation>X4′</translation>
+    </message>
+    <message>
+        <source>The same position as X3, decreasing force; empty: not read at this force.</source>
+        <translation>A mesma posição de X3, força decrescente; vazio: não lida nesta força.</translation>
+    </message>
+    <message>
+        <source>X5</source>
+        <translation>X5</translation>
+    </message>
+    <message>
+        <source>After the second rotation, increasing force.</source>
+        <translation>Depois da segunda rotação, força crescente.</translation>
+    </message>
+    <message>
+        <source>X6′</source>
+        <translation>X6′</translation>
+    </message>
+    <message>
+        <source>The same position as X5, decreasing force; empty: not read at this force.</source>
+        <translation>A mesma posição de X5, força decrescente; vazio: não lida nesta força.</translation>
+    </message>
+    <message>
+        <source>U of the force</source>
+        <translation>U da força</translation>
+    </message>
+    <message>
+        <source>Relative expanded uncertainty (k = 2) of this force; empty: that of the calibration machine.</source>
+        <translation>Incerteza expandida relativa (k = 2) desta força; vazio: a da máquina de calibração.</translation>
+    </message>
+    <message>
+        <source>Indications without load</source>
+        <translation>Indicações sem carga</translation>
+    </message>
+    <message>
+        <source>Before and after each series with increasing forces. Empty: the indications are deflections already, and there is no zero error.</source>
+        <translation>Antes e depois de cada série com forças crescentes. Vazio: as indicações já são deflexões, e não há erro de zero.</translation>
+    </message>
+    <message>
+        <source>Series with increasing forces.</source>
+        <translation>Série com forças crescentes.</translation>
+    </message>
+    <message>
+        <source>Indication without load before the series.</source>
+        <translation>Indicação sem carga antes da série.</translation>
+    </message>
+    <message>
+        <source>Indication without load after it, or after the decreasing forces that follow upon it.</source>
+        <translation>Indicação sem carga depois dela, ou depois das forças decrescentes que a seguem.</translation>
+    </message>
+    <message>
+        <source>Smallest step of the indication, or the half range over which it fluctuates.</source>
+        <translation>Menor degrau da indicação, ou metade da faixa em que ela flutua.</translation>
+    </message>
+    <message>
+        <source>Creep: indication after 30 s</source>
+        <translation>Fluência: indicação após 30 s</translation>
+    </message>
+    <message>
+        <source>Without load, 30 s after the largest force was taken off (or at that force). Empty: creep was not measured.</source>
+        <translation>Sem carga, 30 s depois de retirada a maior força (ou nessa força). Vazio: a fluência não foi medida.</translation>
+    </message>
+    <message>
+        <source>Creep: indication after 300 s</source>
+        <translation>Fluência: indicação após 300 s</translation>
+    </message>
+    <message>
+        <source>The same after 300 s.</source>
+        <translation>O mesmo após 300 s.</translation>
+    </message>
+    <message>
+        <source>Force and conditions</source>
+        <translation>Força e condições</translation>
+    </message>
+    <message>
+        <source>Its certificate gives the relative uncertainty of the force. Empty: every force has its own.</source>
+        <translation>Seu certificado dá a incerteza relativa da força. Vazio: cada força tem a sua.</translation>
+    </message>
+    <message>
+        <source>Axis of the machine</source>
+        <translation>Eixo da máquina</translation>
+    </message>
+    <message>
+        <source>Which of the loads of its certificate acts on the instrument.</source>
+        <translation>Qual das cargas de seu certificado atua sobre o instrumento.</translation>
+    </message>
+    <message>
+        <source>Temperature coefficient</source>
+        <translation>Coeficiente de temperatura</translation>
+    </message>
+    <message>
+        <source>Relative change of the deflection with temperature.</source>
+        <translation>Variação relativa da deflexão com a temperatura.</translation>
+    </message>
+    <message>
+        <source>Temperature, half width</source>
+        <translation>Temperatura, meia largura</translation>
+    </message>
+    <message>
+        <source>The temperature of the instrument is known within plus and minus this much.</source>
+        <translation>A temperatura do instrumento é conhecida dentro de mais ou menos este valor.</translation>
+    </message>
+    <message>
+        <source>Used with</source>
+        <translation>Usado com</translation>
+    </message>
+    <message>
+        <source>Whether the instrument will be used with decreasing forces too: the reversibility error is then part of its uncertainty.</source>
+        <translation>Se o instrumento será usado também com forças decrescentes: o erro de reversibilidade é então parte de sua incerteza.</translation>
+    </message>
+    <message>
+        <source>increasing forces only</source>
+        <translation>só forças crescentes</translation>
+    </message>
+    <message>
+        <source>decreasing forces too</source>
+        <translation>também forças decrescentes</translation>
+    </message>
+    <message>
+        <source>Divisor of the reversibility</source>
+        <translation>Divisor da reversibilidade</translation>
+    </message>
+    <message>
+        <source>The reversibility error divided by it is a standard uncertainty: √3 where the error is a limit that is reached, 3 where it hardly is.</source>
+        <translation>O erro de reversibilidade dividido por ele é uma incerteza-padrão: √3 onde o erro é um limite que é atingido, 3 onde quase não o é.</translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation>Curvas</translation>
+    </message>
+    <message>
+        <source>Degree of the interpolation</source>
+        <translation>Grau da interpolação</translation>
+    </message>
+    <message>
+        <source>Of the polynomial of the mean deflection over the force: 1 to 3.</source>
+        <translation>Do polinômio da deflexão média em função da força: 1 a 3.</translation>
+    </message>
+    <message>
+        <source>Constant term</source>
+        <translation>Termo constante</translation>
+    </message>
+    <message>
+        <source>Whether the polynomial may have a value without force; else it begins at zero.</source>
+        <translation>Se o polinômio pode ter um valor sem força; senão começa em zero.</translation>
+    </message>
+    <message>
+        <source>Interpolation counts relative to</source>
+        <translation>A interpolação conta em relação a</translation>
+    </message>
+    <message>
+        <source>What the standard deviation of the residuals is divided by. Relative to the largest deflection it is the same part at every force; relative to each one it grows where forces are small, as a residual does.</source>
+        <translation>Pelo que se divide o desvio-padrão dos resíduos. Em relação à maior deflexão é a mesma parte em todas as forças; em relação a cada uma cresce onde as forças são pequenas, como faz um resíduo.</translation>
+    </message>
+    <message>
+        <source>the largest deflection</source>
+        <translation>a maior deflexão</translation>
+    </message>
+    <message>
+        <source>the deflection at each force</source>
+        <translation>a deflexão em cada força</translation>
+    </message>
+    <message>
+        <source>Normal, with its degrees of freedom in the law of propagation, or a t-distribution (JCGM 101 6.4.9), which has no standard deviation with three rotations.</source>
+        <translation>Normal, com seus graus de liberdade na lei de propagação, ou uma distribuição t (JCGM 101 6.4.9), que não tem desvio-padrão com três rotações.</translation>
+    </message>
+    <message>
+        <source>Coverage factor of W</source>
+        <translation>Fator de abrangência de W</translation>
+    </message>
+    <message>
+        <source>In the table and curve of W; results have the coverage factor of their degrees of freedom.</source>
+        <translation>Na tabela e na curva de W; os resultados têm o fator de abrangência de seus graus de liberdade.</translation>
+    </message>
+    <message>
+        <source>Degree of W over the force</source>
+        <translation>Grau de W em função da força</translation>
+    </message>
+    <message>
+        <source>Of the polynomial that states W between the calibration forces.</source>
+        <translation>Do polinômio que declara W entre as forças de calibração.</translation>
+    </message>
+    <message>
+        <source>Classes</source>
+        <translation>Classes</translation>
+    </message>
+    <message>
+        <source>Limits of the classes</source>
+        <translation>Limites das classes</translation>
+    </message>
+    <message>
+        <source>A row for each class, the strictest first, with the largest errors that its standard allows: none of a standard is built in. An empty cell is held against nothing; without rows no class is found.</source>
+        <translation>Uma linha para cada classe, a mais rigorosa primeiro, com os maiores erros que sua norma permite: os de nenhuma norma estão embutidos. Uma célula vazia não é confrontada com nada; sem linhas não se determina classe.</translation>
+    </message>
+    <message>
+        <source>class</source>
+        <translation>classe</translation>
+    </message>
+    <message>
+        <source>Name of the class; the strictest first.</source>
+        <translation>Nome da classe; a mais rigorosa primeiro.</translation>
+    </message>
+    <message>
+        <source>Largest reproducibility error, with rotation.</source>
+        <translation>Maior erro de reprodutibilidade, com rotação.</translation>
+    </message>
+    <message>
+        <source>b′</source>
+        <translation>b′</translation>
+    </message>
+    <message>
+        <source>Largest repeatability error, without rotation.</source>
+        <translation>Maior erro de repetibilidade, sem rotação.</translation>
+    </message>
+    <message>
+        <source>Largest interpolation error, of either sign.</source>
+        <translation>Maior erro de interpolação, de qualquer sinal.</translation>
+    </message>
+    <message>
+        <source>Largest zero error, of either sign.</source>
+        <translation>Maior erro de zero, de qualquer sinal.</translation>
+    </message>
+    <message>
+        <source>Largest reversibility error.</source>
+        <translation>Maior erro de reversibilidade.</translation>
+    </message>
+    <message>
+        <source>Largest creep error.</source>
+        <translation>Maior erro de fluência.</translation>
+    </message>
+    <message>
+        <source>Largest relative expanded uncertainty (k = 2) of the calibration force.</source>
+        <translation>Maior incerteza expandida relativa (k = 2) da força de calibração.</translation>
+    </message>
+    <message>
+        <source>Calibration of a force transducer</source>
+        <translation>Calibração de um transdutor de força</translation>
+    </message>
+    <message>
+        <source>Errors, interpolation, class and uncertainty of a transducer from three positions, after ISO 376.</source>
+        <translation>Erros, interpolação, classe e incerteza de um transdutor por três posições, segundo a ISO 376.</translation>
+    </message>
+    <message>
+        <source>Standard deviations of directions and zenith angles and the index error, with the tests of ISO 17123-3.</source>
+        <translation>Desvios-padrão de direções e ângulos zenitais e o erro de índice, com os testes da ISO 17123-3.</translation>
+    </message>
+    <message>
+        <source>Drift from as-found values, the component for its next use, its next calibration.</source>
+        <translation>Deriva por valores como encontrados, a componente para seu próximo uso, sua próxima calibração.</translation>
+    </message>
+    <message>
+        <source>Force transducer of 50 kN in three positions</source>
+        <translation>Transdutor de força de 50 kN em três posições</translation>
+    </message>
+    <message>
+        <source>A force transducer, calibrated after ISO 376 with eight forces in three positions: repeatability, reproducibility, interpolation, zero, reversibility and creep errors, W over the force as EURAMET cg-4 combines it, and the coefficients of its interpolation with their covariance.</source>
+        <translation>Um transdutor de força, calibrado segundo a ISO 376 com oito forças em três posições: erros de repetibilidade, reprodutibilidade, interpolação, zero, reversibilidade e fluência, W em função da força como o EURAMET cg-4 a combina, e os coeficientes de sua interpolação com sua covariância.</translation>
+    </message>
+    <message>
+        <source>Seven years of a gauge block</source>
+        <translation>Sete anos de um bloco-padrão</translation>
+    </message>
+    <message>
+        <source>Invented: the deviation of a gauge block of 50 mm from its nominal length, as seven calibrations found it.</source>
+        <translation>Inventado: o desvio de um bloco-padrão de 50 mm em relação a seu comprimento nominal, como o encontraram sete calibrações.</translation>
+    </message>
+    <message>
+        <source>Theodolite in rounds to five targets</source>
+        <translation>Teodolito em séries de visadas a cinco alvos</translation>
+    </message>
+    <message>
+        <source>The circles of a total station, tested after ISO 17123-3 with four series of three sets to five targets in both faces: standard deviations of a direction and of a zenith angle, the index error, each with its uncertainty, and the statistical tests.</source>
+        <translation>Os círculos de uma estação total, testados segundo a ISO 17123-3 com quatro séries de três conjuntos a cinco alvos em ambas as faces: desvios-padrão de uma direção e de um ângulo zenital, o erro de índice, cada um com sua incerteza, e os testes estatísticos.</translation>
+    </message>
+    <message>
+        <source>Amended certificate</source>
+        <translation>Certificado emendado</translation>
+    </message>
+    <message>
+        <source>Replaces certificate</source>
+        <translation>Substitui o certificado</translation>
+    </message>
+    <message>
+        <source>Number of the certificate that this one replaces; empty: it is no amended one.</source>
+        <translation>Número do certificado que este substitui; vazio: não é um certificado emendado.</translation>
+    </message>
+    <message>
+        <source>Its date of issue</source>
+        <translation>Sua data de emissão</translation>
+    </message>
+    <message>
+        <source>Reasons of the amendment</source>
+        <translation>Motivos da emenda</translation>
+    </message>
+    <message>
+        <source>What was wrong or has changed, and why.</source>
+        <translation>O que estava errado ou mudou, e por quê.</translation>
+    </message>
+    <message>
+        <source>Prepared by</source>
+        <translation>Elaborado por</translation>
+    </message>
+    <message>
+        <source>Who set up and evaluated the project.</source>
+        <translation>Quem montou e avaliou o projeto.</translation>
+    </message>
+    <message>
+        <source>Checked by</source>
+        <translation>Verificado por</translation>
+    </message>
+    <message>
+        <source>Who checked it.</source>
+        <translation>Quem o verificou.</translation>
+    </message>
+    <message>
+        <source>Released by</source>
+        <translation>Liberado por</translation>
+    </message>
+    <message>
+        <source>Who authorised it (ISO/IEC 17025 7.8.1.1).</source>
+        <translation>Quem o autorizou (ISO/IEC 17025 7.8.1.1).</translation>
+    </message>
+    <message>
+        <source>Changes to certificate %1</source>
+        <translation>Alterações em relação ao certificado %1</translation>
+    </message>
+    <message>
+        <source>No result has changed.</source>
+        <translation>Nenhum resultado mudou.</translation>
+    </message>
+    <message>
+        <source>Statement</source>
+        <translation>Declaração</translation>
+    </message>
+    <message>
+        <source>Replaced certificate</source>
+        <translation>Certificado substituído</translation>
+    </message>
+    <message>
+        <source>This certificate</source>
+        <translation>Este certificado</translation>
+    </message>
+    <message>
+        <source>Sources of error that are covered</source>
+        <translation>Fontes de erro incluídas</translation>
+    </message>
+    <message>
+        <source>Not covered</source>
+        <translation>Não incluídas</translation>
+    </message>
+    <message>
+        <source>%1, face two</source>
+        <translation>%1, face dois</translation>
+    </message>
+    <message>
+        <source>%1 of face two is not between half a turn and a whole one: type it as read</source>
+        <translation>%1 da face dois não está entre meia volta e uma volta inteira: digite-o como foi lido</translation>
+    </message>
+    <message>
+        <source>%1 is not between 0 and half a turn (face one), nor between half a turn and a whole one (face two)</source>
+        <translation>%1 não está entre 0 e meia volta (face um), nem entre meia volta e uma volta inteira (face dois)</translation>
+    </message>
+    <message>
+        <source>%1, again, half a turn off (say that it is of face two)</source>
+        <translation>%1, de novo, com meia volta de diferença (diga que é da face dois)</translation>
+    </message>
+    <message>
+        <source>before the adjustment: %1 closes with %2 %3, %4 times its u (rows %5 of the readings)</source>
+        <translation>antes do ajustamento: %1 fecha com %2 %3, %4 vezes sua u (linhas %5 das leituras)</translation>
+    </message>
+    <message>
+        <source>rows of the readings</source>
+        <translation>linhas das leituras</translation>
+    </message>
+    <message>
+        <source>loop of distances, %1</source>
+        <translation>circuito de distâncias, %1</translation>
+    </message>
+    <message>
+        <source>%1 and the sights of both from %2</source>
+        <translation>%1 e as visadas de ambos a partir de %2</translation>
+    </message>
+    <message>
+        <source>distance %1 – %2 by coordinates and the sights of both from %3</source>
+        <translation>distância %1 – %2 por coordenadas e as visadas de ambos a partir de %3</translation>
+    </message>
+    <message>
+        <source>distance %1 – %2 by the sights from %3 and from %4</source>
+        <translation>distância %1 – %2 pelas visadas a partir de %3 e de %4</translation>
+    </message>
+    <message>
+        <source>%1 in both faces, as %2</source>
+        <translation>%1 em ambas as faces, como %2</translation>
+    </message>
+    <message>
+        <source>%1 in both faces</source>
+        <translation>%1 em ambas as faces</translation>
+    </message>
+    <message>
+        <source>%1 from both faces of %2 sights</source>
+        <translation>%1 por ambas as faces de %2 visadas</translation>
+    </message>
+    <message>
+        <source>Both faces before the adjustment</source>
+        <translation>Ambas as faces antes do ajustamento</translation>
+    </message>
+    <message>
+        <source>sights</source>
+        <translation>visadas</translation>
+    </message>
+    <message>
+        <source>from both faces</source>
+        <translation>de ambas as faces</translation>
+    </message>
+    <message>
+        <source>u of that</source>
+        <translation>u desse valor</translation>
+    </message>
+    <message>
+        <source>u as stated</source>
+        <translation>u como declarada</translation>
+    </message>
+    <message>
+        <source>not as stated?</source>
+        <translation>não como declarado?</translation>
+    </message>
+    <message>
+        <source>state it among the figures of instruments</source>
+        <translation>declare-o entre os números dos instrumentos</translation>
+    </message>
+    <message>
+        <source>Index (z₁ + z₂ − 400 gon)/2 and collimation (a₁ − a₂ ± 200 gon)/2 · sin z of the sights that were read in both faces.</source>
+        <translation>Índice (z₁ + z₂ − 400 gon)/2 e colimação (a₁ − a₂ ± 200 gon)/2 · sin z das visadas que foram lidas em ambas as faces.</translation>
+    </message>
+    <message>
+        <source>all angles</source>
+        <translation>todos os ângulos</translation>
+    </message>
+    <message>
+        <source>all lengths</source>
+        <translation>todos os comprimentos</translation>
+    </message>
+    <message>
+        <source>the directions</source>
+        <translation>as direções</translation>
+    </message>
+    <message>
+        <source>the zenith angles</source>
+        <translation>os ângulos zenitais</translation>
+    </message>
+    <message>
+        <source>the slope distances</source>
+        <translation>as distâncias inclinadas</translation>
+    </message>
+    <message>
+        <source>the horizontal distances</source>
+        <translation>as distâncias horizontais</translation>
+    </message>
+    <message>
+        <source>the height differences</source>
+        <translation>os desníveis</translation>
+    </message>
+    <message>
+        <source>the angles read from %1</source>
+        <translation>os ângulos lidos a partir de %1</translation>
+    </message>
+    <message>
+        <source>the lengths read from %1</source>
+        <translation>os comprimentos lidos a partir de %1</translation>
+    </message>
+    <message>
+        <source>the angles of %1</source>
+        <translation>os ângulos de %1</translation>
+    </message>
+    <message>
+        <source>the lengths of %1</source>
+        <translation>os comprimentos de %1</translation>
+    </message>
+    <message>
+        <source>the readings agree if %1 are gon that were typed as degrees</source>
+        <translation>as leituras concordam se %1 forem gon que foram digitados como graus</translation>
+    </message>
+    <message>
+        <source>the readings agree if %1 are mm that were typed as m</source>
+        <translation>as leituras concordam se %1 forem mm que foram digitados como m</translation>
+    </message>
+    <message>
+        <source>the readings agree if %1 are degrees that were typed as gon</source>
+        <translation>as leituras concordam se %1 forem graus que foram digitados como gon</translation>
+    </message>
+    <message>
+        <source>the readings agree if %1 are m that were typed as mm</source>
+        <translation>as leituras concordam se %1 forem m que foram digitados como mm</translation>
+    </message>
+    <message>
+        <source>the readings agree if the coordinates of %1 and %2 are exchanged</source>
+        <translation>as leituras concordam se as coordenadas de %1 e de %2 forem trocadas</translation>
+    </message>
+    <message>
+        <source>No limits of classes are entered: no class is found.</source>
+        <translation>Não foram inseridos limites de classes: não se determina classe.</translation>
+    </message>
+    <message>
+        <source>largest force</source>
+        <translation>maior força</translation>
+    </message>
+    <message>
+        <source>deflection at the largest force</source>
+        <translation>deflexão na maior força</translation>
+    </message>
+    <message>
+        <source>zero error f_0, the largest of the series</source>
+        <translation>erro de zero f_0, o maior das séries</translation>
+    </message>
+    <message>
+        <source>creep error c</source>
+        <translation>erro de fluência c</translation>
+    </message>
+    <message>
+        <source>degrees of freedom of the interpolation</source>
+        <translation>graus de liberdade da interpolação</translation>
+    </message>
+    <message>
+        <source>Without indications at zero there is no zero error.</source>
+        <translation>Sem indicações em zero não há erro de zero.</translation>
+    </message>
+    <message>
+        <source>Creep was not measured: the budget has none of it.</source>
+        <translation>A fluência não foi medida: o balanço não a contém.</translation>
+    </message>
+    <message>
+        <source>The zero error was not measured and is held against no limit.</source>
+        <translation>O erro de zero não foi medido e não é confrontado com nenhum limite.</translation>
+    </message>
+    <message>
+        <source>The creep error was not measured and is held against no limit.</source>
+        <translation>O erro de fluência não foi medido e não é confrontado com nenhum limite.</translation>
+    </message>
+    <message>
+        <source>The reversibility error was not measured and is held against no limit.</source>
+        <translation>O erro de reversibilidade não foi medido e não é confrontado com nenhum limite.</translation>
+    </message>
+    <message>
+        <source>reproducibility</source>
+        <translation>reprodutibilidade</translation>
+    </message>
+    <message>
+        <source>creep</source>
+        <translation>fluência</translation>
+    </message>
+    <message>
+        <source>zero</source>
+        <translation>zero</translation>
+    </message>
+    <message>
+        <source>temperature</source>
+        <translation>temperatura</translation>
+    </message>
+    <message>
+        <source>interpolation</source>
+        <translation>interpolação</translation>
+    </message>
+    <message>
+        <source>reversibility</source>
+        <translation>reversibilidade</translation>
+    </message>
+    <message>
+        <source>deflection</source>
+        <translation>deflexão</translation>
+    </message>
+    <message>
+        <source>W, relative expanded uncertainty</source>
+        <translation>W, incerteza expandida relativa</translation>
+    </message>
+    <message>
+        <source>The curve of W is a fit to the steps, raised by %1 % so that no step lies above it.</source>
+        <translation>A curva de W é um ajuste aos degraus, elevado em %1 % para que nenhum degrau fique acima dela.</translation>
+    </message>
+    <message>
+        <source>directions of each series, mean of both faces</source>
+        <translation>direções de cada série, média de ambas as faces</translation>
+    </message>
+    <message>
+        <source>zenith angles of each series</source>
+        <translation>ângulos zenitais de cada série</translation>
+    </message>
+    <message>
+        <source>pooled over the series, ν readings less unknowns; JCGM 100 H.3.2, E.4.3</source>
+        <translation>agrupado sobre as séries, ν leituras menos incógnitas; JCGM 100 H.3.2, E.4.3</translation>
+    </message>
+    <message>
+        <source>index error, s_i within the series; JCGM 100 4.2.3</source>
+        <translation>erro de índice, s_i dentro da série; JCGM 100 4.2.3</translation>
+    </message>
+    <message>
+        <source>standard deviation of a direction, measured once in both faces</source>
+        <translation>desvio-padrão de uma direção, medida uma vez em ambas as faces</translation>
+    </message>
+    <message>
+        <source>standard deviation of a zenith angle, measured once in both faces</source>
+        <translation>desvio-padrão de um ângulo zenital, medido uma vez em ambas as faces</translation>
+    </message>
+    <message>
+        <source>Targets stand in their directions; how far they are is not known.</source>
+        <translation>Os alvos estão em suas direções; a que distância, não se sabe.</translation>
+    </message>
+    <message>
+        <source>least squares of the rounds, residuals of %1 series</source>
+        <translation>mínimos quadrados das séries de visadas, resíduos de %1 séries</translation>
+    </message>
+    <message>
+        <source>scatter of the index</source>
+        <translation>dispersão do índice</translation>
+    </message>
+    <message>
+        <source>mean of %1 readings in both faces</source>
+        <translation>média de %1 leituras em ambas as faces</translation>
+    </message>
+    <message>
+        <source>index error of the vertical circle</source>
+        <translation>erro de índice do círculo vertical</translation>
+    </message>
+    <message>
+        <source>the directions leave nothing that would tell their scatter: read two targets or more in two sets or more</source>
+        <translation>as direções nada deixam que revele sua dispersão: leia dois alvos ou mais em dois conjuntos ou mais</translation>
+    </message>
+    <message>
+        <source>the zenith angles leave nothing that would tell their scatter: read targets in two sets or more</source>
+        <translation>os ângulos zenitais nada deixam que revele sua dispersão: leia alvos em dois conjuntos ou mais</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; in set %2 is read in one face only: a reading needs both</source>
+        <translation>&apos;%1&apos; no conjunto %2 foi lido só em uma face: uma leitura precisa de ambas</translation>
+    </message>
+    <message>
+        <source>the faces of &apos;%1&apos; in set %2 differ by more than 10° from half a circle: check the faces, the target and that V is a zenith angle</source>
+        <translation>as faces de &apos;%1&apos; no conjunto %2 diferem mais de 10° de meio círculo: confira as faces, o alvo e se V é um ângulo zenital</translation>
+    </message>
+    <message>
+        <source>the zenith angle of &apos;%1&apos; in set %2 in face I is not between 0° and 180°</source>
+        <translation>o ângulo zenital de &apos;%1&apos; no conjunto %2 na face I não está entre 0° e 180°</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; in set %2 has no reading</source>
+        <translation>&apos;%1&apos; no conjunto %2 não tem leitura</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is there twice in set %2 of series %3</source>
+        <translation>&apos;%1&apos; consta duas vezes no conjunto %2 da série %3</translation>
+    </message>
+    <message>
+        <source>%1 rows of readings are more than the most, %2</source>
+        <translation>%1 linhas de leituras são mais que o máximo, %2</translation>
+    </message>
+    <message>
+        <source>a: s of %1 is not larger than the stated σ</source>
+        <translation>a: s de %1 não é maior que o σ declarado</translation>
+    </message>
+    <message>
+        <source>b: s of %1 and that of the other campaign are of one σ, s²/s²</source>
+        <translation>b: s de %1 e o da outra campanha são de um mesmo σ, s²/s²</translation>
+    </message>
+    <message>
+        <source>c: the index error is not different from zero</source>
+        <translation>c: o erro de índice não é diferente de zero</translation>
+    </message>
+    <message>
+        <source>An index error is seen: it leaves the mean of both faces; take it off readings in face I alone, or adjust the instrument.</source>
+        <translation>Observa-se um erro de índice: ele não entra na média de ambas as faces; subtraia-o das leituras feitas só na face I, ou ajuste o instrumento.</translation>
+    </message>
+    <message>
+        <source>the index error is the same in all series, s²/s²</source>
+        <translation>o erro de índice é o mesmo em todas as séries, s²/s²</translation>
+    </message>
+    <message>
+        <source>The index error changed between the series: it is not one figure, and its u holds for the mean of these series only.</source>
+        <translation>O erro de índice mudou entre as séries: não é um só número, e sua u vale apenas para a média destas séries.</translation>
+    </message>
+    <message>
+        <source>a direction</source>
+        <translation>uma direção</translation>
+    </message>
+    <message>
+        <source>a zenith angle</source>
+        <translation>um ângulo zenital</translation>
+    </message>
+    <message>
+        <source>relative</source>
+        <translation>relativo</translation>
+    </message>
+    <message>
+        <source>s of a direction, measured once in both faces</source>
+        <translation>s de uma direção, medida uma vez em ambas as faces</translation>
+    </message>
+    <message>
+        <source>s of a zenith angle, measured once in both faces</source>
+        <translation>s de um ângulo zenital, medido uma vez em ambas as faces</translation>
+    </message>
+    <message>
+        <source>s of a direction</source>
+        <translation>s de uma direção</translation>
+    </message>
+    <message>
+        <source>its degrees of freedom</source>
+        <translation>seus graus de liberdade</translation>
+    </message>
+    <message>
+        <source>s of a zenith angle</source>
+        <translation>s de um ângulo zenital</translation>
+    </message>
+    <message>
+        <source>degrees of freedom of that</source>
+        <translation>graus de liberdade desse s</translation>
+    </message>
+    <message>
+        <source>index error</source>
+        <translation>erro de índice</translation>
+    </message>
+    <message>
+        <source>residual Hz</source>
+        <translation>resíduo Hz</translation>
+    </message>
+    <message>
+        <source>residual V</source>
+        <translation>resíduo V</translation>
+    </message>
+    <message>
+        <source>index</source>
+        <translation>índice</translation>
+    </message>
+    <message>
+        <source>theodolite</source>
+        <translation>teodolito</translation>
+    </message>
+    <message>
+        <source>values found, without the adjustments; t in years, t_m their weighted mean</source>
+        <translation>valores encontrados, sem os ajustes; t em anos, t_m sua média ponderada</translation>
+    </message>
+    <message>
+        <source>drift since the last calibration, on the date of use</source>
+        <translation>deriva desde a última calibração, na data de uso</translation>
+    </message>
+    <message>
+        <source>value on the date of use; c is what all values share</source>
+        <translation>valor na data de uso; c é o que todos os valores compartilham</translation>
+    </message>
+    <message>
+        <source>least squares, %1 calibrations</source>
+        <translation>mínimos quadrados, %1 calibrações</translation>
+    </message>
+    <message>
+        <source>level of the line, at the mean of the dates</source>
+        <translation>nível da reta, na média das datas</translation>
+    </message>
+    <message>
+        <source>scatter about the line</source>
+        <translation>dispersão em torno da reta</translation>
+    </message>
+    <message>
+        <source>drift in a year</source>
+        <translation>deriva em um ano</translation>
+    </message>
+    <message>
+        <source>scatter of one value about the line</source>
+        <translation>dispersão de um valor em torno da reta</translation>
+    </message>
+    <message>
+        <source>deviation that all values share</source>
+        <translation>desvio que todos os valores compartilham</translation>
+    </message>
+    <message>
+        <source>drift since the last calibration, %1</source>
+        <translation>deriva desde a última calibração, %1</translation>
+    </message>
+    <message>
+        <source>the limit is not kept even on the day of the last calibration</source>
+        <translation>o limite não é respeitado nem no dia da última calibração</translation>
+    </message>
+    <message>
+        <source>a date of the form 2026-04-17 is needed; it is &apos;%1&apos;</source>
+        <translation>é preciso uma data da forma 2026-04-17; é &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>the calibration in row %1 is not after the one before it</source>
+        <translation>a calibração da linha %1 não é posterior à que a precede</translation>
+    </message>
+    <message>
+        <source>row %1 needs the standard uncertainty of its value</source>
+        <translation>a linha %1 precisa da incerteza-padrão de seu valor</translation>
+    </message>
+    <message>
+        <source>two calibrations have no scatter about a line: state the uncertainty of each value, or add a third</source>
+        <translation>duas calibrações não têm dispersão em torno de uma reta: declare a incerteza de cada valor, ou acrescente uma terceira</translation>
+    </message>
+    <message>
+        <source>the rule needs a limit above zero</source>
+        <translation>a regra precisa de um limite acima de zero</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is the symbol of a drift: choose another one</source>
+        <translation>&apos;%1&apos; é o símbolo de uma deriva: escolha outro</translation>
+    </message>
+    <message>
+        <source>the date of use is before the last calibration</source>
+        <translation>a data de uso é anterior à última calibração</translation>
+    </message>
+    <message>
+        <source>standard uncertainty of the drift in a year</source>
+        <translation>incerteza-padrão da deriva em um ano</translation>
+    </message>
+    <message>
+        <source>drift from the last calibration to the date of use</source>
+        <translation>deriva da última calibração até a data de uso</translation>
+    </message>
+    <message>
+        <source>corrected: its standard uncertainty</source>
+        <translation>corrigida: sua incerteza-padrão</translation>
+    </message>
+    <message>
+        <source>not corrected: half-width of a rectangular distribution</source>
+        <translation>não corrigida: meia largura de uma distribuição retangular</translation>
+    </message>
+    <message>
+        <source>not corrected: standard uncertainty</source>
+        <translation>não corrigida: incerteza-padrão</translation>
+    </message>
+    <message>
+        <source>The values scatter more about the line than their uncertainties say: state larger ones, or take the uncertainty from the residuals.</source>
+        <translation>Os valores se dispersam em torno da reta mais do que dizem suas incertezas: declare incertezas maiores, ou tome a incerteza dos resíduos.</translation>
+    </message>
+    <message>
+        <source>last calibration</source>
+        <translation>última calibração</translation>
+    </message>
+    <message>
+        <source>next calibration, at the latest</source>
+        <translation>próxima calibração, o mais tardar</translation>
+    </message>
+    <message>
+        <source>The limit is not kept even on the day of the last calibration.</source>
+        <translation>O limite não é respeitado nem no dia da última calibração.</translation>
+    </message>
+    <message>
+        <source>The limit would be kept for longer: the longest interval decides.</source>
+        <translation>O limite seria respeitado por mais tempo: decide o intervalo máximo.</translation>
+    </message>
+    <message>
+        <source>The last day on which the figure of the rule, with k times its u, is within the limit.</source>
+        <translation>O último dia em que o número da regra, com k vezes sua u, está dentro do limite.</translation>
+    </message>
+    <message>
+        <source>deflection, mean of the rotations</source>
+        <translation>deflexão, média das rotações</translation>
+    </message>
+    <message>
+        <source>reproducibility, repeatability and reversibility errors, ISO 376</source>
+        <translation>erros de reprodutibilidade, repetibilidade e reversibilidade, ISO 376</translation>
+    </message>
+    <message>
+        <source>interpolation, zero and creep errors, ISO 376</source>
+        <translation>erros de interpolação, zero e fluência, ISO 376</translation>
+    </message>
+    <message>
+        <source>interpolation, degree 1 to 3</source>
+        <translation>interpolação, grau 1 a 3</translation>
+    </message>
+    <message>
+        <source>machine, reproducibility, repeatability, resolution, creep, zero, temperature, interpolation, EURAMET cg-4; (v/divisor)² for decreasing forces</source>
+        <translation>máquina, reprodutibilidade, repetibilidade, resolução, fluência, zero, temperatura, interpolação, EURAMET cg-4; (v/divisor)² para forças decrescentes</translation>
+    </message>
+    <message>
+        <source>ν forces less coefficients</source>
+        <translation>ν forças menos coeficientes</translation>
+    </message>
+    <message>
+        <source>force of the calibration machine</source>
+        <translation>força da máquina de calibração</translation>
+    </message>
+    <message>
+        <source>calibration machine &apos;%1&apos;</source>
+        <translation>máquina de calibração &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>uncertainties of the forces</source>
+        <translation>incertezas das forças</translation>
+    </message>
+    <message>
+        <source>indications after 30 s and 300 s</source>
+        <translation>indicações após 30 s e 300 s</translation>
+    </message>
+    <message>
+        <source>zero error</source>
+        <translation>erro de zero</translation>
+    </message>
+    <message>
+        <source>largest change of the indication without load</source>
+        <translation>maior variação da indicação sem carga</translation>
+    </message>
+    <message>
+        <source>temperature of the instrument</source>
+        <translation>temperatura do instrumento</translation>
+    </message>
+    <message>
+        <source>temperature coefficient and half width</source>
+        <translation>coeficiente de temperatura e meia largura</translation>
+    </message>
+    <message>
+        <source>reproducibility with rotation</source>
+        <translation>reprodutibilidade com rotação</translation>
+    </message>
+    <message>
+        <source>three positions of the instrument</source>
+        <translation>três posições do instrumento</translation>
+    </message>
+    <message>
+        <source>mean deflection at %1</source>
+        <translation>deflexão média em %1</translation>
+    </message>
+    <message>
+        <source>repeatability without rotation</source>
+        <translation>repetibilidade sem rotação</translation>
+    </message>
+    <message>
+        <source>two series in one position</source>
+        <translation>duas séries em uma posição</translation>
+    </message>
+    <message>
+        <source>resolution of the indicator</source>
+        <translation>resolução do indicador</translation>
+    </message>
+    <message>
+        <source>difference of two indications</source>
+        <translation>diferença de duas indicações</translation>
+    </message>
+    <message>
+        <source>decreasing against increasing force</source>
+        <translation>força decrescente em relação à crescente</translation>
+    </message>
+    <message>
+        <source>interpolated less mean deflection at %1</source>
+        <translation>deflexão interpolada menos média em %1</translation>
+    </message>
+    <message>
+        <source>residuals of %1 forces</source>
+        <translation>resíduos de %1 forças</translation>
+    </message>
+    <message>
+        <source>interpolated deflection at %1</source>
+        <translation>deflexão interpolada em %1</translation>
+    </message>
+    <message>
+        <source>coefficient of F to the power %1</source>
+        <translation>coeficiente de F elevado a %1</translation>
+    </message>
+    <message>
+        <source>series %1 has no indication without load</source>
+        <translation>a série %1 não tem indicação sem carga</translation>
+    </message>
+    <message>
+        <source>series %1 has two rows without load</source>
+        <translation>a série %1 tem duas linhas sem carga</translation>
+    </message>
+    <message>
+        <source>the force of %1 is there twice: readings of a force are one row</source>
+        <translation>a força de %1 consta duas vezes: as leituras de uma força são uma só linha</translation>
+    </message>
+    <message>
+        <source>nothing says the uncertainty of the force of %1: it needs a calibration machine or a U of its own</source>
+        <translation>nada diz a incerteza da força de %1: ela precisa de uma máquina de calibração ou de uma U própria</translation>
+    </message>
+    <message>
+        <source>%1 forces are more than the most, %2</source>
+        <translation>%1 forças são mais que o máximo, %2</translation>
+    </message>
+    <message>
+        <source>%1 forces leave nothing that would tell how well a polynomial of %2 coefficients fits: calibrate more forces or lower the degree</source>
+        <translation>%1 forças nada deixam que revele quão bem um polinômio de %2 coeficientes se ajusta: calibre mais forças ou reduza o grau</translation>
+    </message>
+    <message>
+        <source>%1 forces do not determine a polynomial of degree %2</source>
+        <translation>%1 forças não determinam um polinômio de grau %2</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; states no uncertainty of %2</source>
+        <translation>&apos;%1&apos; não declara incerteza de %2</translation>
+    </message>
+    <message>
+        <source>creep needs the indications after 30 s and after 300 s</source>
+        <translation>a fluência precisa das indicações após 30 s e após 300 s</translation>
+    </message>
+    <message>
+        <source>the deflection of series %1 does not grow up to %2: check the indications, and those without load</source>
+        <translation>a deflexão da série %1 não cresce até %2: confira as indicações, e as sem carga</translation>
+    </message>
+    <message>
+        <source>for use with decreasing forces an indication X4′ or X6′ has to be read at %1</source>
+        <translation>para uso com forças decrescentes é preciso ler uma indicação X4′ ou X6′ em %1</translation>
+    </message>
+    <message>
+        <source>force %1</source>
+        <translation>força %1</translation>
+    </message>
+    <message>
+        <source>the date of &apos;%1&apos; must be of the form 2026-04-17; it is &apos;%2&apos;</source>
+        <translation>a data de &apos;%1&apos; deve ser da forma 2026-04-17; é &apos;%2&apos;</translation>
+    </message>
+    <message>
+        <source>the date of &apos;%1&apos; is before that of the step before it</source>
+        <translation>a data de &apos;%1&apos; é anterior à da etapa que a precede</translation>
+    </message>
+    <message>
+        <source>a step of the review</source>
+        <translation>uma etapa da revisão</translation>
+    </message>
+    <message>
+        <source>a part that was released</source>
+        <translation>uma parte que foi liberada</translation>
+    </message>
+    <message>
+        <source>an entry of the log</source>
+        <translation>uma entrada do registro</translation>
+    </message>
+    <message>
+        <source>the review</source>
+        <translation>a revisão</translation>
+    </message>
+    <message>
+        <source>the title</source>
+        <translation>o título</translation>
+    </message>
+    <message>
+        <source>the notes of the project</source>
+        <translation>as notas do projeto</translation>
+    </message>
+    <message>
+        <source>the author</source>
+        <translation>o autor</translation>
+    </message>
+    <message>
+        <source>the number of the project</source>
+        <translation>o número do projeto</translation>
+    </message>
+    <message>
+        <source>the texts of the certificate</source>
+        <translation>os textos do certificado</translation>
+    </message>
+    <message>
+        <source>what the replaced certificate stated</source>
+        <translation>o que o certificado substituído declarava</translation>
+    </message>
+    <message>
+        <source>what goes into the report</source>
+        <translation>o que entra no relatório</translation>
+    </message>
+    <message>
+        <source>how results are stated</source>
+        <translation>como os resultados são declarados</translation>
+    </message>
+    <message>
+        <source>the names and dates of the review</source>
+        <translation>os nomes e as datas da revisão</translation>
+    </message>
+    <message>
+        <source>which assets and analyses there are, or their order</source>
+        <translation>quais recursos e análises há, ou sua ordem</translation>
+    </message>
+    <message>
+        <source>asset %1</source>
+        <translation>recurso %1</translation>
+    </message>
+    <message>
+        <source>analysis %1</source>
+        <translation>análise %1</translation>
+    </message>
+    <message>
+        <source>texts or certificates of asset %1</source>
+        <translation>textos ou certificados do recurso %1</translation>
+    </message>
+    <message>
+        <source>texts, requirements or designs of analysis %1</source>
+        <translation>textos, requisitos ou planejamentos da análise %1</translation>
+    </message>
+    <message>
+        <source>%1, which is new</source>
+        <translation>%1, que antes não existia</translation>
+    </message>
+    <message>
+        <source>%1, which is no longer there</source>
+        <translation>%1, que já não existe</translation>
+    </message>
+    <message>
+        <source>%1 on %2</source>
+        <translation>%1 em %2</translation>
+    </message>
+    <message>
+        <source>the record of the release</source>
+        <translation>o registro da liberação</translation>
+    </message>
+    <message>
+        <source>draft: it was not released</source>
+        <translation>rascunho: não foi liberado</translation>
+    </message>
+    <message>
+        <source>released by %1, digest %2</source>
+        <translation>liberado por %1, hash %2</translation>
+    </message>
+    <message>
+        <source>draft again: changed since it was released by %1: %2</source>
+        <translation>novamente rascunho: alterado desde que foi liberado por %1: %2</translation>
+    </message>
+    <message>
+        <source>it is not released: &apos;%1&apos; needs a name and a date of the form 2026-04-17</source>
+        <translation>não está liberado: &apos;%1&apos; precisa de um nome e de uma data da forma 2026-04-17</translation>
+    </message>
+    <message>
+        <source>a text of the replaced certificate</source>
+        <translation>um texto do certificado substituído</translation>
+    </message>
+    <message>
+        <source>a result of the replaced certificate</source>
+        <translation>um resultado do certificado substituído</translation>
+    </message>
+    <message>
+        <source>the certificate cannot have been issued before the one that it replaces</source>
+        <translation>o certificado não pode ter sido emitido antes daquele que substitui</translation>
+    </message>
+    <message>
+        <source>an amended certificate has a number of its own, not that of the one that it replaces</source>
+        <translation>um certificado emendado tem um número próprio, não o daquele que substitui</translation>
+    </message>
+    <message>
+        <source>%1 directions are of face two, as the zenith angles of their sights say</source>
+        <translation>%1 direções são da face dois, como dizem os ângulos zenitais de suas visadas</translation>
+    </message>
+    <message>
+        <source>Draft</source>
+        <translation>Rascunho</translation>
+    </message>
+    <message>
+        <source>it was not released</source>
+        <translation>não foi liberado</translation>
+    </message>
+    <message>
+        <source>changed since the release by %1: %2</source>
+        <translation>alterado desde a liberação por %1: %2</translation>
+    </message>
+    <message>
+        <source>Digest of the release</source>
+        <translation>Hash da liberação</translation>
+    </message>
+    <message>
+        <source>the certificate that is to be replaced has no number: there is none to refer to</source>
+        <translation>o certificado a substituir não tem número: não há nenhum a que se referir</translation>
+    </message>
+    <message>
+        <source>an amended certificate has a number of its own; %1 is that of the one that it replaces</source>
+        <translation>um certificado emendado tem um número próprio; %1 é o daquele que substitui</translation>
+    </message>
+    <message>
+        <source>the date of issue must be of the form 2026-04-17; it is &apos;%1&apos;</source>
+        <translation>a data de emissão deve ser da forma 2026-04-17; é &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>Table %1, continued</source>
+        <translation>Tabela %1, continuação</translation>
+    </message>
+    <message>
+        <source>Errors after ISO 376</source>
+        <translation>Erros segundo a ISO 376</translation>
+    </message>
+    <message>
+        <source>mean deflection</source>
+        <translation>deflexão média</translation>
+    </message>
+    <message>
+        <source>Classes by the limits entered</source>
+        <translation>Classes pelos limites inseridos</translation>
+    </message>
+    <message>
+        <source>Relative standard uncertainties and W</source>
+        <translation>Incertezas-padrão relativas e W</translation>
+    </message>
+    <message>
+        <source>Curves over the force</source>
+        <translation>Curvas em função da força</translation>
+    </message>
+    <message>
+        <source>power of the force</source>
+        <translation>potência da força</translation>
+    </message>
+    <message>
+        <source>Errors over the force</source>
+        <translation>Erros em função da força</translation>
+    </message>
+    <message>
+        <source>relative error</source>
+        <translation>erro relativo</translation>
+    </message>
+    <message>
+        <source>Relative expanded uncertainty over the force</source>
+        <translation>Incerteza expandida relativa em função da força</translation>
+    </message>
+    <message>
+        <source>Drift</source>
+        <translation>Deriva</translation>
+    </message>
+    <message>
+        <source>Calibrations and their residuals</source>
+        <translation>Calibrações e seus resíduos</translation>
+    </message>
+    <message>
+        <source>Change since the first calibration</source>
+        <translation>Variação desde a primeira calibração</translation>
+    </message>
+    <message>
+        <source>years since the first calibration</source>
+        <translation>anos desde a primeira calibração</translation>
+    </message>
+    <message>
+        <source>line ± k u</source>
+        <translation>reta ± k u</translation>
+    </message>
+    <message>
+        <source>Series</source>
+        <translation>Séries</translation>
+    </message>
+    <message>
+        <source>Residuals of the directions</source>
+        <translation>Resíduos das direções</translation>
+    </message>
+    <message>
+        <source>Residuals of the zenith angles</source>
+        <translation>Resíduos dos ângulos zenitais</translation>
     </message>
 </context>
 <context>
@@ -20463,6 +22015,10 @@ Nesses lugares ele diz “não declarado”. São campos da página do projeto.<
         <source>What Every Analysis &amp;Has</source>
         <translation>O que toda &amp;análise tem</translation>
     </message>
+    <message>
+        <source>Re&amp;view and Release</source>
+        <translation>Re&amp;visão e liberação</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::HelpPane</name>
@@ -21525,6 +23081,18 @@ Escolhido: %2</translation>
         <source>or</source>
         <translation>ou</translation>
     </message>
+    <message>
+        <source>Project: review</source>
+        <translation>Projeto: revisão</translation>
+    </message>
+    <message>
+        <source>certificate %1</source>
+        <translation>certificado %1</translation>
+    </message>
+    <message>
+        <source>date of the measurement</source>
+        <translation>data da medição</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::ProblemsPane</name>
@@ -21812,6 +23380,10 @@ It is used by: %1. They will have an error until they use something else.</sourc
         <source>Certificates</source>
         <translation>Certificados</translation>
     </message>
+    <message>
+        <source>Review</source>
+        <translation>Revisão</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::QuantityEdit</name>
@@ -21981,6 +23553,10 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>Requirements for Results</source>
         <translation>Exigir dos resultados</translation>
+    </message>
+    <message>
+        <source>Left out, for their unit is another: %1.</source>
+        <translation>Omitidos, pois sua unidade é outra: %1.</translation>
     </message>
 </context>
 <context>
@@ -22174,6 +23750,88 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>Seen</source>
         <translation>Observado</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::ReviewForm</name>
+    <message>
+        <source>draft</source>
+        <translation>rascunho</translation>
+    </message>
+    <message>
+        <source>released</source>
+        <translation>liberado</translation>
+    </message>
+    <message>
+        <source>draft again</source>
+        <translation>novamente rascunho</translation>
+    </message>
+    <message>
+        <source>A release states in report and certificate who is responsible, and a digest by which every later change shows.</source>
+        <translation>Uma liberação declara no relatório e no certificado quem é responsável, e um hash pelo qual toda alteração posterior se revela.</translation>
+    </message>
+    <message>
+        <source>Release</source>
+        <translation>Liberar</translation>
+    </message>
+    <message>
+        <source>Who</source>
+        <translation>Quem</translation>
+    </message>
+    <message>
+        <source>What was done</source>
+        <translation>O que foi feito</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Data</translation>
+    </message>
+    <message>
+        <source>The day of this step; empty: that of the release.</source>
+        <translation>O dia desta etapa; vazio: o da liberação.</translation>
+    </message>
+    <message>
+        <source>Change %1</source>
+        <translation>Alterar %1</translation>
+    </message>
+    <message>
+        <source>Add to the Log</source>
+        <translation>Adicionar ao registro</translation>
+    </message>
+    <message>
+        <source>Release the project</source>
+        <translation>Liberar o projeto</translation>
+    </message>
+    <message>
+        <source>Add to the log</source>
+        <translation>Adicionar ao registro</translation>
+    </message>
+    <message>
+        <source>A project with errors is not released.</source>
+        <translation>Um projeto com erros não é liberado.</translation>
+    </message>
+    <message>
+        <source>All three names are needed.</source>
+        <translation>Os três nomes são necessários.</translation>
+    </message>
+    <message>
+        <source>Takes the digest of the project as it is now</source>
+        <translation>Toma o hash do projeto tal como está agora</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::RowTools</name>
+    <message>
+        <source>Add row</source>
+        <translation>Adicionar linha</translation>
+    </message>
+    <message>
+        <source>Delete rows</source>
+        <translation>Excluir linhas</translation>
+    </message>
+    <message>
+        <source>Fill down</source>
+        <translation>Preencher abaixo</translation>
     </message>
 </context>
 <context>
@@ -23174,14 +24832,6 @@ It is used by: %1. They will have an error until they use something else.</sourc
         <translation>Levar para o projeto</translation>
     </message>
     <message>
-        <source>Add row</source>
-        <translation>Adicionar linha</translation>
-    </message>
-    <message>
-        <source>Delete rows</source>
-        <translation>Excluir linhas</translation>
-    </message>
-    <message>
         <source>Import CSV …</source>
         <translation>Importar CSV …</translation>
     </message>
@@ -23212,10 +24862,6 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>Shows also the columns that no row has something in</source>
         <translation>Mostra também as colunas em que nenhuma linha tem algo</translation>
-    </message>
-    <message>
-        <source>Fill down</source>
-        <translation>Preencher abaixo</translation>
     </message>
 </context>
 <context>

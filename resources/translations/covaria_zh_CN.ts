@@ -14740,10 +14740,6 @@ sample 1; 2; 3 weights 2; 5; 2（按原样抽取），histogram 0; 1; 2 weights 
         <translation>%1 不是正值</translation>
     </message>
     <message>
-        <source>%1 is not between 0 and half a turn: state the mean of both faces</source>
-        <translation>%1 不在 0 与半圈之间：请给出盘左盘右的平均值</translation>
-    </message>
-    <message>
         <source>%1 needs the height of %2, which is not part of the network</source>
         <translation>%1 需要 %2 的高程，而它不属于网</translation>
     </message>
@@ -16348,10 +16344,6 @@ sample 1; 2; 3 weights 2; 5; 2（按原样抽取），histogram 0; 1; 2 weights 
         <translation>仪器的名称，与读数的列中相同；留空：没有仪器名称的所有读数。</translation>
     </message>
     <message>
-        <source>What it does to all of its readings alike: its zero is added to distances, by its scale (weather correction included) they are longer, refraction bends its lines of sight, its index is added to zenith angles, its collimation over the sine of the zenith angle to directions.</source>
-        <translation>仪器对其所有读数的同样影响：零点加到距离上，尺度（含气象改正）使距离变长，折光使视线弯曲，指标差加到天顶距上，视准差除以天顶距的正弦后加到方向上。</translation>
-    </message>
-    <message>
         <source>zero of distances</source>
         <translation>距离的零点</translation>
     </message>
@@ -17712,10 +17704,6 @@ sample 1; 2; 3 weights 2; 5; 2（按原样抽取），histogram 0; 1; 2 weights 
         <translation>高差闭合环，%1</translation>
     </message>
     <message>
-        <source>before the adjustment: %1 closes with %2 %3, %4 times its u</source>
-        <translation>平差前：%1 的闭合差为 %2 %3，是其 u 的 %4 倍</translation>
-    </message>
-    <message>
         <source>and %1 more closures are beyond 3.29 times their u</source>
         <translation>另有 %1 个闭合差超过其 u 的 3.29 倍</translation>
     </message>
@@ -18126,6 +18114,1570 @@ sample 1; 2; 3 weights 2; 5; 2（按原样抽取），histogram 0; 1; 2 weights 
     <message>
         <source>data sheet</source>
         <translation>数据表</translation>
+    </message>
+    <message>
+        <source>face</source>
+        <translation>盘位</translation>
+    </message>
+    <message>
+        <source>Of a direction, azimuth or zenith angle: the face in which it was read, as it was read. A zenith angle beyond half a turn is of face two anyway. It is brought to face one; index and collimation change it the other way.</source>
+        <translation>方向、方位角或天顶距读取时的盘位，按读取时的状态。大于半圈的天顶距必为盘右。它被换算到盘左；指标差和视准差对它的影响符号相反。</translation>
+    </message>
+    <message>
+        <source>one</source>
+        <translation>盘左</translation>
+    </message>
+    <message>
+        <source>two</source>
+        <translation>盘右</translation>
+    </message>
+    <message>
+        <source>What it does to all of its readings alike: its zero is added to distances, by its scale (weather correction included) they are longer, refraction bends its lines of sight, its index is added to zenith angles, its collimation over the sine of the zenith angle to directions; in face two both are taken off.</source>
+        <translation>仪器对其所有读数的同样影响：零点加到距离上，尺度（含气象改正）使距离变长，折光使视线弯曲，指标差加到天顶距上，视准差除以天顶距的正弦后加到方向上；盘右时二者均减去。</translation>
+    </message>
+    <message>
+        <source>Theodolite in rounds</source>
+        <translation>经纬仪测回观测</translation>
+    </message>
+    <message>
+        <source>Standard deviations of a direction and of a zenith angle measured once in both faces, and the index error of the vertical circle, from rounds to targets as ISO 17123-3 has them, with their uncertainties and the statistical tests.</source>
+        <translation>按 ISO 17123-3，由对各目标点的测回求盘左盘右各测一次的方向和天顶距的标准偏差以及竖盘指标差，含其不确定度和统计检验。</translation>
+    </message>
+    <message>
+        <source>Any number of series, sets and targets counts, also with readings left out; four series of three sets of five targets leave 32 degrees of freedom for directions and 40 for zenith angles.</source>
+        <translation>系列、测回和目标点的数目不限，也可缺少读数；四个系列、每系列三个测回、五个目标点时，方向的自由度为 32，天顶距的自由度为 40。</translation>
+    </message>
+    <message>
+        <source>The index error is positive where a zenith angle in face I reads too large. Its sign and the estimate of its uncertainty from its own scatter are those of this program; hold them against the text of the standard before a sheet names it.</source>
+        <translation>盘左 I 的天顶距读数偏大时指标差为正。其符号以及由其自身分散性得到的不确定度的估计是本程序的做法；在报表注明该标准之前，请与标准文本核对。</translation>
+    </message>
+    <message>
+        <source>That the index error is the same in all series is a test of this program.</source>
+        <translation>指标差在所有系列中相同，是本程序的检验。</translation>
+    </message>
+    <message>
+        <source>A mean of both faces says nothing of collimation and of the tilt of the axes, which it does not contain.</source>
+        <translation>盘左盘右的平均值不反映视准差和轴的倾斜，因为其中不含这些影响。</translation>
+    </message>
+    <message>
+        <source>A row for each target of each set, with the readings in both faces: directions, zenith angles, or both. Typed, pasted or from a CSV file.</source>
+        <translation>每个测回的每个目标点占一行，含盘左盘右的读数：方向、天顶距或两者。手工输入、粘贴或来自 CSV 文件。</translation>
+    </message>
+    <message>
+        <source>Number of the series; within one the instrument stands unchanged. Empty: 1.</source>
+        <translation>系列的编号；在一个系列内仪器保持不动。留空：1。</translation>
+    </message>
+    <message>
+        <source>Number of the set (round) within its series.</source>
+        <translation>测回在其系列中的编号。</translation>
+    </message>
+    <message>
+        <source>Hz I</source>
+        <translation>Hz I</translation>
+    </message>
+    <message>
+        <source>Horizontal circle in face I.</source>
+        <translation>盘左 I 的水平度盘。</translation>
+    </message>
+    <message>
+        <source>Hz II</source>
+        <translation>Hz II</translation>
+    </message>
+    <message>
+        <source>Horizontal circle in face II.</source>
+        <translation>盘右 II 的水平度盘。</translation>
+    </message>
+    <message>
+        <source>V I</source>
+        <translation>V I</translation>
+    </message>
+    <message>
+        <source>Zenith angle in face I: 90° on the horizon.</source>
+        <translation>盘左 I 的天顶距：水平时为 90°。</translation>
+    </message>
+    <message>
+        <source>V II</source>
+        <translation>V II</translation>
+    </message>
+    <message>
+        <source>Zenith angle in face II: 270° on the horizon.</source>
+        <translation>盘右 II 的天顶距：水平时为 270°。</translation>
+    </message>
+    <message>
+        <source>σ of a direction, stated or wanted</source>
+        <translation>方向的 σ，给出的或所需的</translation>
+    </message>
+    <message>
+        <source>Standard deviation, measured once in both faces, that test a holds s against: of the maker, or what a job needs. Empty: no test a.</source>
+        <translation>检验 a 用以与 s 比较的、盘左盘右各测一次的标准偏差：制造商的值，或任务所需的值。留空：不作检验 a。</translation>
+    </message>
+    <message>
+        <source>s of a direction, another campaign</source>
+        <translation>方向的 s，另一次测试</translation>
+    </message>
+    <message>
+        <source>Experimental standard deviation that test b compares s with: of another instrument, observer or day. Empty: no test b.</source>
+        <translation>检验 b 用以与 s 比较的实验标准偏差：另一台仪器、另一名观测者或另一天的值。留空：不作检验 b。</translation>
+    </message>
+    <message>
+        <source>Degrees of freedom of that s</source>
+        <translation>该 s 的自由度</translation>
+    </message>
+    <message>
+        <source>Of the s of the other campaign; the default is that of four series of three sets of five targets.</source>
+        <translation>另一次测试的 s 的自由度；默认值为四个系列、每系列三个测回、五个目标点时的自由度。</translation>
+    </message>
+    <message>
+        <source>σ of a zenith angle, stated or wanted</source>
+        <translation>天顶距的 σ，给出的或所需的</translation>
+    </message>
+    <message>
+        <source>s of a zenith angle, another campaign</source>
+        <translation>天顶距的 s，另一次测试</translation>
+    </message>
+    <message>
+        <source>History of an instrument</source>
+        <translation>仪器的历史</translation>
+    </message>
+    <message>
+        <source>The drift of an instrument or standard from what its calibrations found, with its uncertainty: the component for its next use, and the day on which its next calibration is due.</source>
+        <translation>由历次校准的结果求仪器或标准器的漂移及其不确定度：用于下次使用的分量，以及下次校准到期的日期。</translation>
+    </message>
+    <message>
+        <source>The drift is taken as linear. Residuals in the evaluation show whether it is.</source>
+        <translation>漂移按线性处理。评定中的残差表明是否如此。</translation>
+    </message>
+    <message>
+        <source>Adjustments are taken out of the series by their differences as left less as found; these count as exact, because both are values of one calibration.</source>
+        <translation>调整按调整后与调整前之差从系列中去除；这些差视为精确值，因为两者都是同一次校准的值。</translation>
+    </message>
+    <message>
+        <source>What all calibrations share has no part in the drift. The scatter about the line is part of the value on a date of use: the instrument may lie off its line as it did before.</source>
+        <translation>所有校准共有的部分不计入漂移。围绕直线的分散性是使用日期的值的一部分：仪器可能像以前一样偏离其直线。</translation>
+    </message>
+    <message>
+        <source>A year has 365.25 days.</source>
+        <translation>一年为 365.25 天。</translation>
+    </message>
+    <message>
+        <source>Of the value.</source>
+        <translation>该值的符号。</translation>
+    </message>
+    <message>
+        <source>What the calibrations state.</source>
+        <translation>校准给出的量。</translation>
+    </message>
+    <message>
+        <source>In which the values are given.</source>
+        <translation>给出各值所用的单位。</translation>
+    </message>
+    <message>
+        <source>Calibrations</source>
+        <translation>校准</translation>
+    </message>
+    <message>
+        <source>What each calibration found, typed, pasted or from a CSV file.</source>
+        <translation>每次校准的结果，手工输入、粘贴或来自 CSV 文件。</translation>
+    </message>
+    <message>
+        <source>date</source>
+        <translation>日期</translation>
+    </message>
+    <message>
+        <source>Of the calibration: 2026-04-17. Earlier ones stand above.</source>
+        <translation>校准的日期：2026-04-17。较早的在上。</translation>
+    </message>
+    <message>
+        <source>as found</source>
+        <translation>调整前</translation>
+    </message>
+    <message>
+        <source>Value or deviation before an adjustment, in the unit.</source>
+        <translation>调整前的值或偏差，以该单位表示。</translation>
+    </message>
+    <message>
+        <source>as left</source>
+        <translation>调整后</translation>
+    </message>
+    <message>
+        <source>After an adjustment, in the unit; empty: not adjusted.</source>
+        <translation>调整后的值或偏差，以该单位表示；留空：未调整。</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of this value alone, in the unit. Used, and needed, with stated uncertainties.</source>
+        <translation>仅此值的标准不确定度，以该单位表示。采用给出的不确定度时使用，且必须填写。</translation>
+    </message>
+    <message>
+        <source>From the scatter about the line (three calibrations or more), or as stated for each value.</source>
+        <translation>由围绕直线的分散性得到（三次或更多校准），或按各值给出的值。</translation>
+    </message>
+    <message>
+        <source>Common u</source>
+        <translation>共同的 u</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of a deviation that all values share, as that of the laboratory&apos;s standard, in the unit. It is none of the drift.</source>
+        <translation>所有值共有的偏差（如实验室标准器的偏差）的标准不确定度，以该单位表示。它不计入漂移。</translation>
+    </message>
+    <message>
+        <source>Date of use</source>
+        <translation>使用日期</translation>
+    </message>
+    <message>
+        <source>The value and the drift on that day: 2026-11-28; empty: not asked.</source>
+        <translation>该日的值和漂移：2026-11-28；留空：不求。</translation>
+    </message>
+    <message>
+        <source>Next calibration</source>
+        <translation>下次校准</translation>
+    </message>
+    <message>
+        <source>Rule</source>
+        <translation>规则</translation>
+    </message>
+    <message>
+        <source>What must stay within the limit until the next calibration, with k times its u.</source>
+        <translation>在下次校准之前，连同其 u 的 k 倍必须保持在界限之内的量。</translation>
+    </message>
+    <message>
+        <source>the drift since the last calibration</source>
+        <translation>自上次校准以来的漂移</translation>
+    </message>
+    <message>
+        <source>the deviation from the nominal value</source>
+        <translation>与标称值的偏差</translation>
+    </message>
+    <message>
+        <source>Limit</source>
+        <translation>界限</translation>
+    </message>
+    <message>
+        <source>In the unit.</source>
+        <translation>以该单位表示。</translation>
+    </message>
+    <message>
+        <source>Nominal value</source>
+        <translation>标称值</translation>
+    </message>
+    <message>
+        <source>In the unit; 0 for deviations.</source>
+        <translation>以该单位表示；偏差时为 0。</translation>
+    </message>
+    <message>
+        <source>k of the rule</source>
+        <translation>规则的 k</translation>
+    </message>
+    <message>
+        <source>Multiple of u that is added.</source>
+        <translation>所加的 u 的倍数。</translation>
+    </message>
+    <message>
+        <source>Longest interval</source>
+        <translation>最长间隔</translation>
+    </message>
+    <message>
+        <source>Years after which it is due in any case.</source>
+        <translation>无论如何都到期的年数。</translation>
+    </message>
+    <message>
+        <source>Force-proving instrument</source>
+        <translation>标准测力仪</translation>
+    </message>
+    <message>
+        <source>Errors of a force transducer as ISO 376 has them, from indications under calibration forces in three positions, its interpolation with covariance, W over the force with all its parts as EURAMET cg-4 combines them, and its class by limits that are entered.</source>
+        <translation>按 ISO 376，由三个位置上各校准力下的示值求力传感器的误差，含带协方差的内插、按 EURAMET cg-4 合成所有部分的随力变化的 W，以及按所输入界限确定的等级。</translation>
+    </message>
+    <message>
+        <source>Formulas are those in common use; hold them against the texts of ISO 376 and EURAMET cg-4 before a certificate names them. Limits of classes are not built in.</source>
+        <translation>公式为通用公式；在证书注明之前，请与 ISO 376 和 EURAMET cg-4 的文本核对。等级的界限未内置。</translation>
+    </message>
+    <message>
+        <source>W of the table has the coverage factor that is entered. Results have the one of their degrees of freedom: three rotations leave two, which k = 2 does not know.</source>
+        <translation>表中的 W 采用所输入的包含因子。结果采用其自由度对应的包含因子：三次旋转只有两个自由度，k = 2 未考虑这一点。</translation>
+    </message>
+    <message>
+        <source>The uncertainty of the machine&apos;s force, creep, zero and temperature act at all forces alike and are common to them; the rotations keep the covariance between the forces that was seen. What is read at one force is its own.</source>
+        <translation>校准机的力的不确定度、蠕变、零点和温度对所有力的影响相同，为各力所共有；旋转保留所见的各力之间的协方差。在一个力下读取的只属于该力。</translation>
+    </message>
+    <message>
+        <source>The coefficients have the covariance of the mean deflections; the residuals of the interpolation count at the forces, not in the coefficients.</source>
+        <translation>系数具有平均变形的协方差；内插的残差计入各力，不计入系数。</translation>
+    </message>
+    <message>
+        <source>Drift since the calibration, another indicator and other conditions of use are not part of W.</source>
+        <translation>自校准以来的漂移、其他指示装置和其他使用条件不是 W 的一部分。</translation>
+    </message>
+    <message>
+        <source>Forces and indications</source>
+        <translation>力和示值</translation>
+    </message>
+    <message>
+        <source>A row for each calibration force: two series in one position, one after each of two rotations; decreasing forces where they were read. Typed, pasted or from a CSV file.</source>
+        <translation>每个校准力占一行：同一位置两个系列，两次旋转后各一个系列；有读数时也含递减力。手工输入、粘贴或来自 CSV 文件。</translation>
+    </message>
+    <message>
+        <source>Of the calibration machine; its unit is that of results.</source>
+        <translation>校准机的力；其单位即结果的单位。</translation>
+    </message>
+    <message>
+        <source>X1</source>
+        <translation>X1</translation>
+    </message>
+    <message>
+        <source>First position, increasing force.</source>
+        <translation>第一个位置，递增力。</translation>
+    </message>
+    <message>
+        <source>X2</source>
+        <translation>X2</translation>
+    </message>
+    <message>
+        <source>The same position again.</source>
+        <translation>同一位置，再次。</translation>
+    </message>
+    <message>
+        <source>X3</source>
+        <translation>X3</translation>
+    </message>
+    <message>
+        <source>After the first rotation, increasing force.</source>
+        <translation>第一次旋转后，递增力。</translation>
+    </message>
+    <message>
+        <source>X4′</source>
+        <translation>X4′</translation>
+    </message>
+    <message>
+        <source>The same position as X3, decreasing force; empty: not read at this force.</source>
+        <translation>与 X3 相同的位置，递减力；留空：在该力下未读取。</translation>
+    </message>
+    <message>
+        <source>X5</source>
+        <translation>X5</translation>
+    </message>
+    <message>
+        <source>After the second rotation, increasing force.</source>
+        <translation>第二次旋转后，递增力。</translation>
+    </message>
+    <message>
+        <source>X6′</source>
+        <translation>X6′</translation>
+    </message>
+    <message>
+        <source>The same position as X5, decreasing force; empty: not read at this force.</source>
+        <translation>与 X5 相同的位置，递减力；留空：在该力下未读取。</translation>
+    </message>
+    <message>
+        <source>U of the force</source>
+        <translation>力的 U</translation>
+    </message>
+    <message>
+        <source>Relative expanded uncertainty (k = 2) of this force; empty: that of the calibration machine.</source>
+        <translation>该力的相对扩展不确定度（k = 2）；留空：采用校准机的值。</translation>
+    </message>
+    <message>
+        <source>Indications without load</source>
+        <translation>空载示值</translation>
+    </message>
+    <message>
+        <source>Before and after each series with increasing forces. Empty: the indications are deflections already, and there is no zero error.</source>
+        <translation>每个递增力系列之前和之后。留空：示值已是变形，没有零点误差。</translation>
+    </message>
+    <message>
+        <source>Series with increasing forces.</source>
+        <translation>递增力的系列。</translation>
+    </message>
+    <message>
+        <source>Indication without load before the series.</source>
+        <translation>系列之前的空载示值。</translation>
+    </message>
+    <message>
+        <source>Indication without load after it, or after the decreasing forces that follow upon it.</source>
+        <translation>系列之后，或其后的递减力之后的空载示值。</translation>
+    </message>
+    <message>
+        <source>Smallest step of the indication, or the half range over which it fluctuates.</source>
+        <translation>示值的最小步进，或其波动范围的一半。</translation>
+    </message>
+    <message>
+        <source>Creep: indication after 30 s</source>
+        <translation>蠕变：30 s 后的示值</translation>
+    </message>
+    <message>
+        <source>Without load, 30 s after the largest force was taken off (or at that force). Empty: creep was not measured.</source>
+        <translation>卸除最大力 30 s 后的空载示值（或在该力下的示值）。留空：未测蠕变。</translation>
+    </message>
+    <message>
+        <source>Creep: indication after 300 s</source>
+        <translation>蠕变：300 s 后的示值</translation>
+    </message>
+    <message>
+        <source>The same after 300 s.</source>
+        <translation>同上，300 s 后。</translation>
+    </message>
+    <message>
+        <source>Force and conditions</source>
+        <translation>力和条件</translation>
+    </message>
+    <message>
+        <source>Its certificate gives the relative uncertainty of the force. Empty: every force has its own.</source>
+        <translation>其证书给出力的相对不确定度。留空：每个力有自己的不确定度。</translation>
+    </message>
+    <message>
+        <source>Axis of the machine</source>
+        <translation>校准机的轴</translation>
+    </message>
+    <message>
+        <source>Which of the loads of its certificate acts on the instrument.</source>
+        <translation>其证书的哪个载荷作用于仪器。</translation>
+    </message>
+    <message>
+        <source>Temperature coefficient</source>
+        <translation>温度系数</translation>
+    </message>
+    <message>
+        <source>Relative change of the deflection with temperature.</source>
+        <translation>变形随温度的相对变化。</translation>
+    </message>
+    <message>
+        <source>Temperature, half width</source>
+        <translation>温度，半宽</translation>
+    </message>
+    <message>
+        <source>The temperature of the instrument is known within plus and minus this much.</source>
+        <translation>已知仪器的温度在正负该值的范围之内。</translation>
+    </message>
+    <message>
+        <source>Used with</source>
+        <translation>使用方式</translation>
+    </message>
+    <message>
+        <source>Whether the instrument will be used with decreasing forces too: the reversibility error is then part of its uncertainty.</source>
+        <translation>仪器是否也用于递减力：若是，则可逆性误差是其不确定度的一部分。</translation>
+    </message>
+    <message>
+        <source>increasing forces only</source>
+        <translation>仅递增力</translation>
+    </message>
+    <message>
+        <source>decreasing forces too</source>
+        <translation>含递减力</translation>
+    </message>
+    <message>
+        <source>Divisor of the reversibility</source>
+        <translation>可逆性的除数</translation>
+    </message>
+    <message>
+        <source>The reversibility error divided by it is a standard uncertainty: √3 where the error is a limit that is reached, 3 where it hardly is.</source>
+        <translation>可逆性误差除以它即为标准不确定度：误差是会达到的界限时为 √3，几乎不会达到时为 3。</translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation>曲线</translation>
+    </message>
+    <message>
+        <source>Degree of the interpolation</source>
+        <translation>内插的次数</translation>
+    </message>
+    <message>
+        <source>Of the polynomial of the mean deflection over the force: 1 to 3.</source>
+        <translation>平均变形关于力的多项式的次数：1 至 3。</translation>
+    </message>
+    <message>
+        <source>Constant term</source>
+        <translation>常数项</translation>
+    </message>
+    <message>
+        <source>Whether the polynomial may have a value without force; else it begins at zero.</source>
+        <translation>多项式在无力时是否可以有值；否则从零开始。</translation>
+    </message>
+    <message>
+        <source>Interpolation counts relative to</source>
+        <translation>内插残差的基准</translation>
+    </message>
+    <message>
+        <source>What the standard deviation of the residuals is divided by. Relative to the largest deflection it is the same part at every force; relative to each one it grows where forces are small, as a residual does.</source>
+        <translation>残差的标准偏差所除以的量。相对于最大变形时，在每个力下比例相同；相对于各力下的变形时，力小处比例变大，与残差一样。</translation>
+    </message>
+    <message>
+        <source>the largest deflection</source>
+        <translation>最大变形</translation>
+    </message>
+    <message>
+        <source>the deflection at each force</source>
+        <translation>各力下的变形</translation>
+    </message>
+    <message>
+        <source>Normal, with its degrees of freedom in the law of propagation, or a t-distribution (JCGM 101 6.4.9), which has no standard deviation with three rotations.</source>
+        <translation>正态分布，其自由度用于传播律；或 t 分布（JCGM 101 6.4.9），三次旋转时它没有标准偏差。</translation>
+    </message>
+    <message>
+        <source>Coverage factor of W</source>
+        <translation>W 的包含因子</translation>
+    </message>
+    <message>
+        <source>In the table and curve of W; results have the coverage factor of their degrees of freedom.</source>
+        <translation>用于 W 的表和曲线；结果采用其自由度对应的包含因子。</translation>
+    </message>
+    <message>
+        <source>Degree of W over the force</source>
+        <translation>W 关于力的次数</translation>
+    </message>
+    <message>
+        <source>Of the polynomial that states W between the calibration forces.</source>
+        <translation>给出各校准力之间的 W 的多项式的次数。</translation>
+    </message>
+    <message>
+        <source>Classes</source>
+        <translation>等级</translation>
+    </message>
+    <message>
+        <source>Limits of the classes</source>
+        <translation>等级的界限</translation>
+    </message>
+    <message>
+        <source>A row for each class, the strictest first, with the largest errors that its standard allows: none of a standard is built in. An empty cell is held against nothing; without rows no class is found.</source>
+        <translation>每个等级占一行，最严格的在前，列出其标准允许的最大误差：未内置任何标准的值。空单元格不作比较；没有行时不确定等级。</translation>
+    </message>
+    <message>
+        <source>class</source>
+        <translation>等级</translation>
+    </message>
+    <message>
+        <source>Name of the class; the strictest first.</source>
+        <translation>等级的名称；最严格的在前。</translation>
+    </message>
+    <message>
+        <source>Largest reproducibility error, with rotation.</source>
+        <translation>最大复现性误差，有旋转。</translation>
+    </message>
+    <message>
+        <source>b′</source>
+        <translation>b′</translation>
+    </message>
+    <message>
+        <source>Largest repeatability error, without rotation.</source>
+        <translation>最大重复性误差，无旋转。</translation>
+    </message>
+    <message>
+        <source>Largest interpolation error, of either sign.</source>
+        <translation>最大内插误差，不论符号。</translation>
+    </message>
+    <message>
+        <source>Largest zero error, of either sign.</source>
+        <translation>最大零点误差，不论符号。</translation>
+    </message>
+    <message>
+        <source>Largest reversibility error.</source>
+        <translation>最大可逆性误差。</translation>
+    </message>
+    <message>
+        <source>Largest creep error.</source>
+        <translation>最大蠕变误差。</translation>
+    </message>
+    <message>
+        <source>Largest relative expanded uncertainty (k = 2) of the calibration force.</source>
+        <translation>校准力的最大相对扩展不确定度（k = 2）。</translation>
+    </message>
+    <message>
+        <source>Calibration of a force transducer</source>
+        <translation>力传感器的校准</translation>
+    </message>
+    <message>
+        <source>Errors, interpolation, class and uncertainty of a transducer from three positions, after ISO 376.</source>
+        <translation>按 ISO 376，由三个位置求传感器的误差、内插、等级和不确定度。</translation>
+    </message>
+    <message>
+        <source>Standard deviations of directions and zenith angles and the index error, with the tests of ISO 17123-3.</source>
+        <translation>方向和天顶距的标准偏差以及指标差，含 ISO 17123-3 的检验。</translation>
+    </message>
+    <message>
+        <source>Drift from as-found values, the component for its next use, its next calibration.</source>
+        <translation>由调整前的值求漂移、用于下次使用的分量、下次校准。</translation>
+    </message>
+    <message>
+        <source>Force transducer of 50 kN in three positions</source>
+        <translation>三个位置上的 50 kN 力传感器</translation>
+    </message>
+    <message>
+        <source>A force transducer, calibrated after ISO 376 with eight forces in three positions: repeatability, reproducibility, interpolation, zero, reversibility and creep errors, W over the force as EURAMET cg-4 combines it, and the coefficients of its interpolation with their covariance.</source>
+        <translation>一台力传感器，按 ISO 376 以三个位置上的八个力校准：重复性、复现性、内插、零点、可逆性和蠕变误差，按 EURAMET cg-4 合成的随力变化的 W，以及其内插的系数及协方差。</translation>
+    </message>
+    <message>
+        <source>Seven years of a gauge block</source>
+        <translation>一个量块的七年</translation>
+    </message>
+    <message>
+        <source>Invented: the deviation of a gauge block of 50 mm from its nominal length, as seven calibrations found it.</source>
+        <translation>虚构：七次校准得到的 50 mm 量块与其标称长度的偏差。</translation>
+    </message>
+    <message>
+        <source>Theodolite in rounds to five targets</source>
+        <translation>对五个目标点的经纬仪测回观测</translation>
+    </message>
+    <message>
+        <source>The circles of a total station, tested after ISO 17123-3 with four series of three sets to five targets in both faces: standard deviations of a direction and of a zenith angle, the index error, each with its uncertainty, and the statistical tests.</source>
+        <translation>全站仪的度盘，按 ISO 17123-3 用四个系列、每系列三个测回、以盘左盘右观测五个目标点进行检验：方向和天顶距的标准偏差、指标差，各含其不确定度，以及统计检验。</translation>
+    </message>
+    <message>
+        <source>Amended certificate</source>
+        <translation>修订的证书</translation>
+    </message>
+    <message>
+        <source>Replaces certificate</source>
+        <translation>所替换的证书</translation>
+    </message>
+    <message>
+        <source>Number of the certificate that this one replaces; empty: it is no amended one.</source>
+        <translation>本证书所替换的证书的编号；留空：本证书不是修订的证书。</translation>
+    </message>
+    <message>
+        <source>Its date of issue</source>
+        <translation>其签发日期</translation>
+    </message>
+    <message>
+        <source>Reasons of the amendment</source>
+        <translation>修订的理由</translation>
+    </message>
+    <message>
+        <source>What was wrong or has changed, and why.</source>
+        <translation>何处有误或有变化，以及原因。</translation>
+    </message>
+    <message>
+        <source>Prepared by</source>
+        <translation>编制人</translation>
+    </message>
+    <message>
+        <source>Who set up and evaluated the project.</source>
+        <translation>建立并评定项目的人员。</translation>
+    </message>
+    <message>
+        <source>Checked by</source>
+        <translation>审核人</translation>
+    </message>
+    <message>
+        <source>Who checked it.</source>
+        <translation>审核项目的人员。</translation>
+    </message>
+    <message>
+        <source>Released by</source>
+        <translation>发布人</translation>
+    </message>
+    <message>
+        <source>Who authorised it (ISO/IEC 17025 7.8.1.1).</source>
+        <translation>批准项目的人员（ISO/IEC 17025 7.8.1.1）。</translation>
+    </message>
+    <message>
+        <source>Changes to certificate %1</source>
+        <translation>对证书 %1 的更改</translation>
+    </message>
+    <message>
+        <source>No result has changed.</source>
+        <translation>结果没有变化。</translation>
+    </message>
+    <message>
+        <source>Statement</source>
+        <translation>陈述内容</translation>
+    </message>
+    <message>
+        <source>Replaced certificate</source>
+        <translation>被替换的证书</translation>
+    </message>
+    <message>
+        <source>This certificate</source>
+        <translation>本证书</translation>
+    </message>
+    <message>
+        <source>Sources of error that are covered</source>
+        <translation>已涵盖的误差来源</translation>
+    </message>
+    <message>
+        <source>Not covered</source>
+        <translation>未涵盖</translation>
+    </message>
+    <message>
+        <source>%1, face two</source>
+        <translation>%1，盘右</translation>
+    </message>
+    <message>
+        <source>%1 of face two is not between half a turn and a whole one: type it as read</source>
+        <translation>盘右的%1不在半圈与一圈之间：请按读取的值输入</translation>
+    </message>
+    <message>
+        <source>%1 is not between 0 and half a turn (face one), nor between half a turn and a whole one (face two)</source>
+        <translation>%1 不在 0 与半圈之间（盘左），也不在半圈与一圈之间（盘右）</translation>
+    </message>
+    <message>
+        <source>%1, again, half a turn off (say that it is of face two)</source>
+        <translation>%1，重复，差半圈（请注明其为盘右）</translation>
+    </message>
+    <message>
+        <source>before the adjustment: %1 closes with %2 %3, %4 times its u (rows %5 of the readings)</source>
+        <translation>平差前：%1 的闭合差为 %2 %3，是其 u 的 %4 倍（读数的第 %5 行）</translation>
+    </message>
+    <message>
+        <source>rows of the readings</source>
+        <translation>读数的行</translation>
+    </message>
+    <message>
+        <source>loop of distances, %1</source>
+        <translation>距离闭合环，%1</translation>
+    </message>
+    <message>
+        <source>%1 and the sights of both from %2</source>
+        <translation>%1 与从 %2 对两点的观测</translation>
+    </message>
+    <message>
+        <source>distance %1 – %2 by coordinates and the sights of both from %3</source>
+        <translation>由坐标得到的距离 %1 – %2 与从 %3 对两点的观测</translation>
+    </message>
+    <message>
+        <source>distance %1 – %2 by the sights from %3 and from %4</source>
+        <translation>由从 %3 和从 %4 的观测得到的距离 %1 – %2</translation>
+    </message>
+    <message>
+        <source>%1 in both faces, as %2</source>
+        <translation>盘左盘右的%1，与%2比较</translation>
+    </message>
+    <message>
+        <source>%1 in both faces</source>
+        <translation>盘左盘右的%1</translation>
+    </message>
+    <message>
+        <source>%1 from both faces of %2 sights</source>
+        <translation>由 %2 次照准的盘左盘右得到的%1</translation>
+    </message>
+    <message>
+        <source>Both faces before the adjustment</source>
+        <translation>平差前的盘左盘右</translation>
+    </message>
+    <message>
+        <source>sights</source>
+        <translation>照准数</translation>
+    </message>
+    <message>
+        <source>from both faces</source>
+        <translation>由盘左盘右得到</translation>
+    </message>
+    <message>
+        <source>u of that</source>
+        <translation>其 u</translation>
+    </message>
+    <message>
+        <source>u as stated</source>
+        <translation>给出的 u</translation>
+    </message>
+    <message>
+        <source>not as stated?</source>
+        <translation>与给出的不符？</translation>
+    </message>
+    <message>
+        <source>state it among the figures of instruments</source>
+        <translation>请在仪器的数值中给出</translation>
+    </message>
+    <message>
+        <source>Index (z₁ + z₂ − 400 gon)/2 and collimation (a₁ − a₂ ± 200 gon)/2 · sin z of the sights that were read in both faces.</source>
+        <translation>由盘左盘右均读取的照准得到的指标差 (z₁ + z₂ − 400 gon)/2 和视准差 (a₁ − a₂ ± 200 gon)/2 · sin z。</translation>
+    </message>
+    <message>
+        <source>all angles</source>
+        <translation>所有角度</translation>
+    </message>
+    <message>
+        <source>all lengths</source>
+        <translation>所有长度</translation>
+    </message>
+    <message>
+        <source>the directions</source>
+        <translation>各方向</translation>
+    </message>
+    <message>
+        <source>the zenith angles</source>
+        <translation>各天顶距</translation>
+    </message>
+    <message>
+        <source>the slope distances</source>
+        <translation>各斜距</translation>
+    </message>
+    <message>
+        <source>the horizontal distances</source>
+        <translation>各平距</translation>
+    </message>
+    <message>
+        <source>the height differences</source>
+        <translation>各高差</translation>
+    </message>
+    <message>
+        <source>the angles read from %1</source>
+        <translation>在 %1 读取的角度</translation>
+    </message>
+    <message>
+        <source>the lengths read from %1</source>
+        <translation>在 %1 读取的长度</translation>
+    </message>
+    <message>
+        <source>the angles of %1</source>
+        <translation>%1 的角度</translation>
+    </message>
+    <message>
+        <source>the lengths of %1</source>
+        <translation>%1 的长度</translation>
+    </message>
+    <message>
+        <source>the readings agree if %1 are gon that were typed as degrees</source>
+        <translation>如果%1是误按度输入的 gon，则读数一致</translation>
+    </message>
+    <message>
+        <source>the readings agree if %1 are mm that were typed as m</source>
+        <translation>如果%1是误按 m 输入的 mm，则读数一致</translation>
+    </message>
+    <message>
+        <source>the readings agree if %1 are degrees that were typed as gon</source>
+        <translation>如果%1是误按 gon 输入的度，则读数一致</translation>
+    </message>
+    <message>
+        <source>the readings agree if %1 are m that were typed as mm</source>
+        <translation>如果%1是误按 mm 输入的 m，则读数一致</translation>
+    </message>
+    <message>
+        <source>the readings agree if the coordinates of %1 and %2 are exchanged</source>
+        <translation>如果将 %1 和 %2 的坐标对调，则读数一致</translation>
+    </message>
+    <message>
+        <source>No limits of classes are entered: no class is found.</source>
+        <translation>未输入等级的界限：不确定等级。</translation>
+    </message>
+    <message>
+        <source>largest force</source>
+        <translation>最大力</translation>
+    </message>
+    <message>
+        <source>deflection at the largest force</source>
+        <translation>最大力下的变形</translation>
+    </message>
+    <message>
+        <source>zero error f_0, the largest of the series</source>
+        <translation>零点误差 f_0，各系列中最大者</translation>
+    </message>
+    <message>
+        <source>creep error c</source>
+        <translation>蠕变误差 c</translation>
+    </message>
+    <message>
+        <source>degrees of freedom of the interpolation</source>
+        <translation>内插的自由度</translation>
+    </message>
+    <message>
+        <source>Without indications at zero there is no zero error.</source>
+        <translation>没有空载示值，就没有零点误差。</translation>
+    </message>
+    <message>
+        <source>Creep was not measured: the budget has none of it.</source>
+        <translation>未测蠕变：预算中不含蠕变。</translation>
+    </message>
+    <message>
+        <source>The zero error was not measured and is held against no limit.</source>
+        <translation>未测零点误差，不与任何界限比较。</translation>
+    </message>
+    <message>
+        <source>The creep error was not measured and is held against no limit.</source>
+        <translation>未测蠕变误差，不与任何界限比较。</translation>
+    </message>
+    <message>
+        <source>The reversibility error was not measured and is held against no limit.</source>
+        <translation>未测可逆性误差，不与任何界限比较。</translation>
+    </message>
+    <message>
+        <source>reproducibility</source>
+        <translation>复现性</translation>
+    </message>
+    <message>
+        <source>creep</source>
+        <translation>蠕变</translation>
+    </message>
+    <message>
+        <source>zero</source>
+        <translation>零点</translation>
+    </message>
+    <message>
+        <source>temperature</source>
+        <translation>温度</translation>
+    </message>
+    <message>
+        <source>interpolation</source>
+        <translation>内插</translation>
+    </message>
+    <message>
+        <source>reversibility</source>
+        <translation>可逆性</translation>
+    </message>
+    <message>
+        <source>deflection</source>
+        <translation>变形</translation>
+    </message>
+    <message>
+        <source>W, relative expanded uncertainty</source>
+        <translation>W，相对扩展不确定度</translation>
+    </message>
+    <message>
+        <source>The curve of W is a fit to the steps, raised by %1 % so that no step lies above it.</source>
+        <translation>W 的曲线是对各级的拟合，并提高了 %1 %，使各级均不在其上方。</translation>
+    </message>
+    <message>
+        <source>directions of each series, mean of both faces</source>
+        <translation>各系列的方向，盘左盘右的平均值</translation>
+    </message>
+    <message>
+        <source>zenith angles of each series</source>
+        <translation>各系列的天顶距</translation>
+    </message>
+    <message>
+        <source>pooled over the series, ν readings less unknowns; JCGM 100 H.3.2, E.4.3</source>
+        <translation>各系列合并，ν 为读数个数减去未知数个数；JCGM 100 H.3.2、E.4.3</translation>
+    </message>
+    <message>
+        <source>index error, s_i within the series; JCGM 100 4.2.3</source>
+        <translation>指标差，系列内的 s_i；JCGM 100 4.2.3</translation>
+    </message>
+    <message>
+        <source>standard deviation of a direction, measured once in both faces</source>
+        <translation>盘左盘右各测一次的方向的标准偏差</translation>
+    </message>
+    <message>
+        <source>standard deviation of a zenith angle, measured once in both faces</source>
+        <translation>盘左盘右各测一次的天顶距的标准偏差</translation>
+    </message>
+    <message>
+        <source>Targets stand in their directions; how far they are is not known.</source>
+        <translation>目标点画在其方向上；其远近未知。</translation>
+    </message>
+    <message>
+        <source>least squares of the rounds, residuals of %1 series</source>
+        <translation>测回的最小二乘，%1 个系列的残差</translation>
+    </message>
+    <message>
+        <source>scatter of the index</source>
+        <translation>指标差的分散性</translation>
+    </message>
+    <message>
+        <source>mean of %1 readings in both faces</source>
+        <translation>%1 个盘左盘右读数的平均值</translation>
+    </message>
+    <message>
+        <source>index error of the vertical circle</source>
+        <translation>竖盘指标差</translation>
+    </message>
+    <message>
+        <source>the directions leave nothing that would tell their scatter: read two targets or more in two sets or more</source>
+        <translation>方向没有余量可确定其分散性：请在两个或更多测回中读取两个或更多目标点</translation>
+    </message>
+    <message>
+        <source>the zenith angles leave nothing that would tell their scatter: read targets in two sets or more</source>
+        <translation>天顶距没有余量可确定其分散性：请在两个或更多测回中读取目标点</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; in set %2 is read in one face only: a reading needs both</source>
+        <translation>测回 %2 中的 &apos;%1&apos; 只在一个盘位读取：读数需要盘左和盘右</translation>
+    </message>
+    <message>
+        <source>the faces of &apos;%1&apos; in set %2 differ by more than 10° from half a circle: check the faces, the target and that V is a zenith angle</source>
+        <translation>测回 %2 中 &apos;%1&apos; 的盘左盘右之差偏离半圈超过 10°：请检查盘位、目标点以及 V 是否为天顶距</translation>
+    </message>
+    <message>
+        <source>the zenith angle of &apos;%1&apos; in set %2 in face I is not between 0° and 180°</source>
+        <translation>测回 %2 中 &apos;%1&apos; 的盘左 I 天顶距不在 0° 与 180° 之间</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; in set %2 has no reading</source>
+        <translation>测回 %2 中的 &apos;%1&apos; 没有读数</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is there twice in set %2 of series %3</source>
+        <translation>&apos;%1&apos; 在系列 %3 的测回 %2 中出现了两次</translation>
+    </message>
+    <message>
+        <source>%1 rows of readings are more than the most, %2</source>
+        <translation>读数有 %1 行，超过最多的 %2 行</translation>
+    </message>
+    <message>
+        <source>a: s of %1 is not larger than the stated σ</source>
+        <translation>a：%1的 s 不大于给出的 σ</translation>
+    </message>
+    <message>
+        <source>b: s of %1 and that of the other campaign are of one σ, s²/s²</source>
+        <translation>b：%1的 s 与另一次测试的 s 属于同一 σ，s²/s²</translation>
+    </message>
+    <message>
+        <source>c: the index error is not different from zero</source>
+        <translation>c：指标差与零无差异</translation>
+    </message>
+    <message>
+        <source>An index error is seen: it leaves the mean of both faces; take it off readings in face I alone, or adjust the instrument.</source>
+        <translation>存在指标差：它在盘左盘右的平均值中消除；请从仅盘左 I 的读数中减去它，或调整仪器。</translation>
+    </message>
+    <message>
+        <source>the index error is the same in all series, s²/s²</source>
+        <translation>指标差在所有系列中相同，s²/s²</translation>
+    </message>
+    <message>
+        <source>The index error changed between the series: it is not one figure, and its u holds for the mean of these series only.</source>
+        <translation>指标差在各系列之间有变化：它不是一个单一的数值，其 u 只适用于这些系列的平均值。</translation>
+    </message>
+    <message>
+        <source>a direction</source>
+        <translation>方向</translation>
+    </message>
+    <message>
+        <source>a zenith angle</source>
+        <translation>天顶距</translation>
+    </message>
+    <message>
+        <source>relative</source>
+        <translation>相对</translation>
+    </message>
+    <message>
+        <source>s of a direction, measured once in both faces</source>
+        <translation>盘左盘右各测一次的方向的 s</translation>
+    </message>
+    <message>
+        <source>s of a zenith angle, measured once in both faces</source>
+        <translation>盘左盘右各测一次的天顶距的 s</translation>
+    </message>
+    <message>
+        <source>s of a direction</source>
+        <translation>方向的 s</translation>
+    </message>
+    <message>
+        <source>its degrees of freedom</source>
+        <translation>其自由度</translation>
+    </message>
+    <message>
+        <source>s of a zenith angle</source>
+        <translation>天顶距的 s</translation>
+    </message>
+    <message>
+        <source>degrees of freedom of that</source>
+        <translation>其自由度</translation>
+    </message>
+    <message>
+        <source>index error</source>
+        <translation>指标差</translation>
+    </message>
+    <message>
+        <source>residual Hz</source>
+        <translation>残差 Hz</translation>
+    </message>
+    <message>
+        <source>residual V</source>
+        <translation>残差 V</translation>
+    </message>
+    <message>
+        <source>index</source>
+        <translation>指标差</translation>
+    </message>
+    <message>
+        <source>theodolite</source>
+        <translation>经纬仪</translation>
+    </message>
+    <message>
+        <source>values found, without the adjustments; t in years, t_m their weighted mean</source>
+        <translation>得到的值，不含各次调整；t 以年计，t_m 为其加权平均值</translation>
+    </message>
+    <message>
+        <source>drift since the last calibration, on the date of use</source>
+        <translation>自上次校准至使用日期的漂移</translation>
+    </message>
+    <message>
+        <source>value on the date of use; c is what all values share</source>
+        <translation>使用日期的值；c 为所有值共有的部分</translation>
+    </message>
+    <message>
+        <source>least squares, %1 calibrations</source>
+        <translation>最小二乘，%1 次校准</translation>
+    </message>
+    <message>
+        <source>level of the line, at the mean of the dates</source>
+        <translation>直线在平均日期处的高度</translation>
+    </message>
+    <message>
+        <source>scatter about the line</source>
+        <translation>围绕直线的分散性</translation>
+    </message>
+    <message>
+        <source>drift in a year</source>
+        <translation>一年的漂移</translation>
+    </message>
+    <message>
+        <source>scatter of one value about the line</source>
+        <translation>单个值围绕直线的分散性</translation>
+    </message>
+    <message>
+        <source>deviation that all values share</source>
+        <translation>所有值共有的偏差</translation>
+    </message>
+    <message>
+        <source>drift since the last calibration, %1</source>
+        <translation>自上次校准以来的漂移，%1</translation>
+    </message>
+    <message>
+        <source>the limit is not kept even on the day of the last calibration</source>
+        <translation>即使在上次校准当天也未满足界限</translation>
+    </message>
+    <message>
+        <source>a date of the form 2026-04-17 is needed; it is &apos;%1&apos;</source>
+        <translation>需要形如 2026-04-17 的日期；现为 &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>the calibration in row %1 is not after the one before it</source>
+        <translation>第 %1 行的校准不在其前一次校准之后</translation>
+    </message>
+    <message>
+        <source>row %1 needs the standard uncertainty of its value</source>
+        <translation>第 %1 行需要其值的标准不确定度</translation>
+    </message>
+    <message>
+        <source>two calibrations have no scatter about a line: state the uncertainty of each value, or add a third</source>
+        <translation>两次校准没有围绕直线的分散性：请给出每个值的不确定度，或添加第三次校准</translation>
+    </message>
+    <message>
+        <source>the rule needs a limit above zero</source>
+        <translation>规则需要大于零的界限</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is the symbol of a drift: choose another one</source>
+        <translation>&apos;%1&apos; 是漂移的符号：请另选一个</translation>
+    </message>
+    <message>
+        <source>the date of use is before the last calibration</source>
+        <translation>使用日期在上次校准之前</translation>
+    </message>
+    <message>
+        <source>standard uncertainty of the drift in a year</source>
+        <translation>一年的漂移的标准不确定度</translation>
+    </message>
+    <message>
+        <source>drift from the last calibration to the date of use</source>
+        <translation>自上次校准至使用日期的漂移</translation>
+    </message>
+    <message>
+        <source>corrected: its standard uncertainty</source>
+        <translation>已修正：其标准不确定度</translation>
+    </message>
+    <message>
+        <source>not corrected: half-width of a rectangular distribution</source>
+        <translation>未修正：矩形分布的半宽</translation>
+    </message>
+    <message>
+        <source>not corrected: standard uncertainty</source>
+        <translation>未修正：标准不确定度</translation>
+    </message>
+    <message>
+        <source>The values scatter more about the line than their uncertainties say: state larger ones, or take the uncertainty from the residuals.</source>
+        <translation>各值围绕直线的分散性大于其不确定度所说明的：请给出更大的不确定度，或由残差得到不确定度。</translation>
+    </message>
+    <message>
+        <source>last calibration</source>
+        <translation>上次校准</translation>
+    </message>
+    <message>
+        <source>next calibration, at the latest</source>
+        <translation>下次校准，最迟</translation>
+    </message>
+    <message>
+        <source>The limit is not kept even on the day of the last calibration.</source>
+        <translation>即使在上次校准当天也未满足界限。</translation>
+    </message>
+    <message>
+        <source>The limit would be kept for longer: the longest interval decides.</source>
+        <translation>界限可在更长时间内满足：由最长间隔决定。</translation>
+    </message>
+    <message>
+        <source>The last day on which the figure of the rule, with k times its u, is within the limit.</source>
+        <translation>规则的数值连同其 u 的 k 倍仍在界限之内的最后一天。</translation>
+    </message>
+    <message>
+        <source>deflection, mean of the rotations</source>
+        <translation>变形，各次旋转的平均值</translation>
+    </message>
+    <message>
+        <source>reproducibility, repeatability and reversibility errors, ISO 376</source>
+        <translation>复现性、重复性和可逆性误差，ISO 376</translation>
+    </message>
+    <message>
+        <source>interpolation, zero and creep errors, ISO 376</source>
+        <translation>内插、零点和蠕变误差，ISO 376</translation>
+    </message>
+    <message>
+        <source>interpolation, degree 1 to 3</source>
+        <translation>内插，次数 1 至 3</translation>
+    </message>
+    <message>
+        <source>machine, reproducibility, repeatability, resolution, creep, zero, temperature, interpolation, EURAMET cg-4; (v/divisor)² for decreasing forces</source>
+        <translation>校准机、复现性、重复性、分辨力、蠕变、零点、温度、内插，EURAMET cg-4；递减力时为 (v/除数)²</translation>
+    </message>
+    <message>
+        <source>ν forces less coefficients</source>
+        <translation>ν 为力的个数减去系数的个数</translation>
+    </message>
+    <message>
+        <source>force of the calibration machine</source>
+        <translation>校准机的力</translation>
+    </message>
+    <message>
+        <source>calibration machine &apos;%1&apos;</source>
+        <translation>校准机 &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>uncertainties of the forces</source>
+        <translation>各力的不确定度</translation>
+    </message>
+    <message>
+        <source>indications after 30 s and 300 s</source>
+        <translation>30 s 和 300 s 后的示值</translation>
+    </message>
+    <message>
+        <source>zero error</source>
+        <translation>零点误差</translation>
+    </message>
+    <message>
+        <source>largest change of the indication without load</source>
+        <translation>空载示值的最大变化</translation>
+    </message>
+    <message>
+        <source>temperature of the instrument</source>
+        <translation>仪器的温度</translation>
+    </message>
+    <message>
+        <source>temperature coefficient and half width</source>
+        <translation>温度系数和半宽</translation>
+    </message>
+    <message>
+        <source>reproducibility with rotation</source>
+        <translation>有旋转的复现性</translation>
+    </message>
+    <message>
+        <source>three positions of the instrument</source>
+        <translation>仪器的三个位置</translation>
+    </message>
+    <message>
+        <source>mean deflection at %1</source>
+        <translation>%1 下的平均变形</translation>
+    </message>
+    <message>
+        <source>repeatability without rotation</source>
+        <translation>无旋转的重复性</translation>
+    </message>
+    <message>
+        <source>two series in one position</source>
+        <translation>同一位置的两个系列</translation>
+    </message>
+    <message>
+        <source>resolution of the indicator</source>
+        <translation>指示装置的分辨力</translation>
+    </message>
+    <message>
+        <source>difference of two indications</source>
+        <translation>两个示值之差</translation>
+    </message>
+    <message>
+        <source>decreasing against increasing force</source>
+        <translation>递减力与递增力之差</translation>
+    </message>
+    <message>
+        <source>interpolated less mean deflection at %1</source>
+        <translation>%1 下的内插变形减平均变形</translation>
+    </message>
+    <message>
+        <source>residuals of %1 forces</source>
+        <translation>%1 个力的残差</translation>
+    </message>
+    <message>
+        <source>interpolated deflection at %1</source>
+        <translation>%1 下的内插变形</translation>
+    </message>
+    <message>
+        <source>coefficient of F to the power %1</source>
+        <translation>F 的 %1 次幂的系数</translation>
+    </message>
+    <message>
+        <source>series %1 has no indication without load</source>
+        <translation>系列 %1 没有空载示值</translation>
+    </message>
+    <message>
+        <source>series %1 has two rows without load</source>
+        <translation>系列 %1 有两行空载值</translation>
+    </message>
+    <message>
+        <source>the force of %1 is there twice: readings of a force are one row</source>
+        <translation>力 %1 出现了两次：一个力的读数占一行</translation>
+    </message>
+    <message>
+        <source>nothing says the uncertainty of the force of %1: it needs a calibration machine or a U of its own</source>
+        <translation>无法得知力 %1 的不确定度：需要校准机或其自身的 U</translation>
+    </message>
+    <message>
+        <source>%1 forces are more than the most, %2</source>
+        <translation>有 %1 个力，超过最多的 %2 个</translation>
+    </message>
+    <message>
+        <source>%1 forces leave nothing that would tell how well a polynomial of %2 coefficients fits: calibrate more forces or lower the degree</source>
+        <translation>%1 个力没有余量可确定具有 %2 个系数的多项式的拟合程度：请校准更多的力或降低次数</translation>
+    </message>
+    <message>
+        <source>%1 forces do not determine a polynomial of degree %2</source>
+        <translation>%1 个力不能确定 %2 次多项式</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; states no uncertainty of %2</source>
+        <translation>&apos;%1&apos; 未给出 %2 的不确定度</translation>
+    </message>
+    <message>
+        <source>creep needs the indications after 30 s and after 300 s</source>
+        <translation>蠕变需要 30 s 后和 300 s 后的示值</translation>
+    </message>
+    <message>
+        <source>the deflection of series %1 does not grow up to %2: check the indications, and those without load</source>
+        <translation>系列 %1 的变形到 %2 为止没有递增：请检查示值和空载示值</translation>
+    </message>
+    <message>
+        <source>for use with decreasing forces an indication X4′ or X6′ has to be read at %1</source>
+        <translation>用于递减力时，必须在 %1 下读取示值 X4′ 或 X6′</translation>
+    </message>
+    <message>
+        <source>force %1</source>
+        <translation>力 %1</translation>
+    </message>
+    <message>
+        <source>the date of &apos;%1&apos; must be of the form 2026-04-17; it is &apos;%2&apos;</source>
+        <translation>&apos;%1&apos; 的日期必须是形如 2026-04-17 的日期；现为 &apos;%2&apos;</translation>
+    </message>
+    <message>
+        <source>the date of &apos;%1&apos; is before that of the step before it</source>
+        <translation>&apos;%1&apos; 的日期在其前一步骤的日期之前</translation>
+    </message>
+    <message>
+        <source>a step of the review</source>
+        <translation>审核的步骤</translation>
+    </message>
+    <message>
+        <source>a part that was released</source>
+        <translation>已发布的部分</translation>
+    </message>
+    <message>
+        <source>an entry of the log</source>
+        <translation>日志的条目</translation>
+    </message>
+    <message>
+        <source>the review</source>
+        <translation>审核</translation>
+    </message>
+    <message>
+        <source>the title</source>
+        <translation>标题</translation>
+    </message>
+    <message>
+        <source>the notes of the project</source>
+        <translation>项目的附注</translation>
+    </message>
+    <message>
+        <source>the author</source>
+        <translation>作者</translation>
+    </message>
+    <message>
+        <source>the number of the project</source>
+        <translation>项目的编号</translation>
+    </message>
+    <message>
+        <source>the texts of the certificate</source>
+        <translation>证书的文本</translation>
+    </message>
+    <message>
+        <source>what the replaced certificate stated</source>
+        <translation>被替换的证书所给出的内容</translation>
+    </message>
+    <message>
+        <source>what goes into the report</source>
+        <translation>报告的内容</translation>
+    </message>
+    <message>
+        <source>how results are stated</source>
+        <translation>结果的给出方式</translation>
+    </message>
+    <message>
+        <source>the names and dates of the review</source>
+        <translation>审核的姓名和日期</translation>
+    </message>
+    <message>
+        <source>which assets and analyses there are, or their order</source>
+        <translation>有哪些资源和分析，或其顺序</translation>
+    </message>
+    <message>
+        <source>asset %1</source>
+        <translation>资源 %1</translation>
+    </message>
+    <message>
+        <source>analysis %1</source>
+        <translation>分析 %1</translation>
+    </message>
+    <message>
+        <source>texts or certificates of asset %1</source>
+        <translation>资源 %1 的文本或证书</translation>
+    </message>
+    <message>
+        <source>texts, requirements or designs of analysis %1</source>
+        <translation>分析 %1 的文本、要求或设计</translation>
+    </message>
+    <message>
+        <source>%1, which is new</source>
+        <translation>%1（新增）</translation>
+    </message>
+    <message>
+        <source>%1, which is no longer there</source>
+        <translation>%1（已不存在）</translation>
+    </message>
+    <message>
+        <source>%1 on %2</source>
+        <translation>%1，%2</translation>
+    </message>
+    <message>
+        <source>the record of the release</source>
+        <translation>发布的记录</translation>
+    </message>
+    <message>
+        <source>draft: it was not released</source>
+        <translation>草稿：未发布</translation>
+    </message>
+    <message>
+        <source>released by %1, digest %2</source>
+        <translation>由 %1 发布，摘要 %2</translation>
+    </message>
+    <message>
+        <source>draft again: changed since it was released by %1: %2</source>
+        <translation>重新成为草稿：由 %1 发布之后有更改：%2</translation>
+    </message>
+    <message>
+        <source>it is not released: &apos;%1&apos; needs a name and a date of the form 2026-04-17</source>
+        <translation>未发布：&apos;%1&apos; 需要姓名和形如 2026-04-17 的日期</translation>
+    </message>
+    <message>
+        <source>a text of the replaced certificate</source>
+        <translation>被替换的证书的文本</translation>
+    </message>
+    <message>
+        <source>a result of the replaced certificate</source>
+        <translation>被替换的证书的结果</translation>
+    </message>
+    <message>
+        <source>the certificate cannot have been issued before the one that it replaces</source>
+        <translation>证书不可能在其所替换的证书之前签发</translation>
+    </message>
+    <message>
+        <source>an amended certificate has a number of its own, not that of the one that it replaces</source>
+        <translation>修订的证书有其自己的编号，而不是其所替换的证书的编号</translation>
+    </message>
+    <message>
+        <source>%1 directions are of face two, as the zenith angles of their sights say</source>
+        <translation>按其照准的天顶距，有 %1 个方向为盘右</translation>
+    </message>
+    <message>
+        <source>Draft</source>
+        <translation>草稿</translation>
+    </message>
+    <message>
+        <source>it was not released</source>
+        <translation>未发布</translation>
+    </message>
+    <message>
+        <source>changed since the release by %1: %2</source>
+        <translation>由 %1 发布之后有更改：%2</translation>
+    </message>
+    <message>
+        <source>Digest of the release</source>
+        <translation>发布的摘要</translation>
+    </message>
+    <message>
+        <source>the certificate that is to be replaced has no number: there is none to refer to</source>
+        <translation>要替换的证书没有编号：无从引用</translation>
+    </message>
+    <message>
+        <source>an amended certificate has a number of its own; %1 is that of the one that it replaces</source>
+        <translation>修订的证书有其自己的编号；%1 是其所替换的证书的编号</translation>
+    </message>
+    <message>
+        <source>the date of issue must be of the form 2026-04-17; it is &apos;%1&apos;</source>
+        <translation>签发日期必须是形如 2026-04-17 的日期；现为 &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>Table %1, continued</source>
+        <translation>表 %1（续）</translation>
+    </message>
+    <message>
+        <source>Errors after ISO 376</source>
+        <translation>按 ISO 376 的误差</translation>
+    </message>
+    <message>
+        <source>mean deflection</source>
+        <translation>平均变形</translation>
+    </message>
+    <message>
+        <source>Classes by the limits entered</source>
+        <translation>按所输入界限的等级</translation>
+    </message>
+    <message>
+        <source>Relative standard uncertainties and W</source>
+        <translation>相对标准不确定度和 W</translation>
+    </message>
+    <message>
+        <source>Curves over the force</source>
+        <translation>随力变化的曲线</translation>
+    </message>
+    <message>
+        <source>power of the force</source>
+        <translation>力的幂次</translation>
+    </message>
+    <message>
+        <source>Errors over the force</source>
+        <translation>随力变化的误差</translation>
+    </message>
+    <message>
+        <source>relative error</source>
+        <translation>相对误差</translation>
+    </message>
+    <message>
+        <source>Relative expanded uncertainty over the force</source>
+        <translation>随力变化的相对扩展不确定度</translation>
+    </message>
+    <message>
+        <source>Drift</source>
+        <translation>漂移</translation>
+    </message>
+    <message>
+        <source>Calibrations and their residuals</source>
+        <translation>各次校准及其残差</translation>
+    </message>
+    <message>
+        <source>Change since the first calibration</source>
+        <translation>自首次校准以来的变化</translation>
+    </message>
+    <message>
+        <source>years since the first calibration</source>
+        <translation>自首次校准以来的年数</translation>
+    </message>
+    <message>
+        <source>line ± k u</source>
+        <translation>直线 ± k u</translation>
+    </message>
+    <message>
+        <source>Series</source>
+        <translation>系列</translation>
+    </message>
+    <message>
+        <source>Residuals of the directions</source>
+        <translation>方向的残差</translation>
+    </message>
+    <message>
+        <source>Residuals of the zenith angles</source>
+        <translation>天顶距的残差</translation>
     </message>
 </context>
 <context>
@@ -20459,6 +22011,10 @@ It says “not stated” in these places. They are fields of the project&apos;s 
         <source>What Every Analysis &amp;Has</source>
         <translation>每个分析都有的内容(&amp;H)</translation>
     </message>
+    <message>
+        <source>Re&amp;view and Release</source>
+        <translation>审核与发布(&amp;V)</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::HelpPane</name>
@@ -21521,6 +23077,18 @@ Chosen: %2</source>
         <source>or</source>
         <translation>或</translation>
     </message>
+    <message>
+        <source>Project: review</source>
+        <translation>项目：审核</translation>
+    </message>
+    <message>
+        <source>certificate %1</source>
+        <translation>证书 %1</translation>
+    </message>
+    <message>
+        <source>date of the measurement</source>
+        <translation>测量日期</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::ProblemsPane</name>
@@ -21808,6 +23376,10 @@ It is used by: %1. They will have an error until they use something else.</sourc
         <source>Certificates</source>
         <translation>证书</translation>
     </message>
+    <message>
+        <source>Review</source>
+        <translation>审核</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::QuantityEdit</name>
@@ -21977,6 +23549,10 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>Requirements for Results</source>
         <translation>对结果的要求</translation>
+    </message>
+    <message>
+        <source>Left out, for their unit is another: %1.</source>
+        <translation>因单位不同而略去：%1。</translation>
     </message>
 </context>
 <context>
@@ -22170,6 +23746,88 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>Seen</source>
         <translation>所见</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::ReviewForm</name>
+    <message>
+        <source>draft</source>
+        <translation>草稿</translation>
+    </message>
+    <message>
+        <source>released</source>
+        <translation>已发布</translation>
+    </message>
+    <message>
+        <source>draft again</source>
+        <translation>重新成为草稿</translation>
+    </message>
+    <message>
+        <source>A release states in report and certificate who is responsible, and a digest by which every later change shows.</source>
+        <translation>发布后，报告和证书中会给出责任人，以及可显示以后每次更改的摘要。</translation>
+    </message>
+    <message>
+        <source>Release</source>
+        <translation>发布</translation>
+    </message>
+    <message>
+        <source>Who</source>
+        <translation>姓名</translation>
+    </message>
+    <message>
+        <source>What was done</source>
+        <translation>所做的工作</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>日期</translation>
+    </message>
+    <message>
+        <source>The day of this step; empty: that of the release.</source>
+        <translation>该步骤的日期；留空：发布的日期。</translation>
+    </message>
+    <message>
+        <source>Change %1</source>
+        <translation>更改%1</translation>
+    </message>
+    <message>
+        <source>Add to the Log</source>
+        <translation>添加到日志</translation>
+    </message>
+    <message>
+        <source>Release the project</source>
+        <translation>发布项目</translation>
+    </message>
+    <message>
+        <source>Add to the log</source>
+        <translation>添加到日志</translation>
+    </message>
+    <message>
+        <source>A project with errors is not released.</source>
+        <translation>有错误的项目不能发布。</translation>
+    </message>
+    <message>
+        <source>All three names are needed.</source>
+        <translation>三个姓名均须填写。</translation>
+    </message>
+    <message>
+        <source>Takes the digest of the project as it is now</source>
+        <translation>取项目当前状态的摘要</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::RowTools</name>
+    <message>
+        <source>Add row</source>
+        <translation>添加行</translation>
+    </message>
+    <message>
+        <source>Delete rows</source>
+        <translation>删除行</translation>
+    </message>
+    <message>
+        <source>Fill down</source>
+        <translation>向下填充</translation>
     </message>
 </context>
 <context>
@@ -23169,14 +24827,6 @@ It is used by: %1. They will have an error until they use something else.</sourc
         <translation>纳入项目</translation>
     </message>
     <message>
-        <source>Add row</source>
-        <translation>添加行</translation>
-    </message>
-    <message>
-        <source>Delete rows</source>
-        <translation>删除行</translation>
-    </message>
-    <message>
         <source>Import CSV …</source>
         <translation>导入 CSV …</translation>
     </message>
@@ -23207,10 +24857,6 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>Shows also the columns that no row has something in</source>
         <translation>同时显示所有行都为空的列</translation>
-    </message>
-    <message>
-        <source>Fill down</source>
-        <translation>向下填充</translation>
     </message>
 </context>
 <context>
