@@ -61,6 +61,22 @@ protected:
         QTest::keyClick(line, Qt::Key_Tab);
         count();
     }
+    /// From the row behind them, by keys.
+    void correlate_last_rows(const QString& coefficient) {
+        type_key(Qt::Key_Up);
+        count();
+        type_key(Qt::Key_Up, Qt::ShiftModifier);
+        count();
+        QLineEdit& r = window_->budget().correlation();
+        ASSERT_TRUE(wait_for([&] { return r.isEnabled(); }));
+        type_key(Qt::Key_R, Qt::ControlModifier);
+        count();
+        ASSERT_TRUE(wait_for([&] { return r.hasFocus() && r.hasSelectedText(); }, 2000) ||
+                    r.text().isEmpty());
+        type_keys(coefficient);
+        type_key(Qt::Key_Return);
+        count();
+    }
     QString cell(int row, Section section) const {
         return window_->budget().model()->index(row, section).data().toString();
     }
@@ -115,18 +131,7 @@ TEST_F(BudgetSession, GaugeBlockFromNothingToPdfInTwentyActions) {
     EXPECT_TRUE(problems().isEmpty()) << problems().join(QLatin1Char('\n')).toStdString();
     ASSERT_TRUE(wait_for([&] { return status().result && status().is_of_present(); }));
     ASSERT_TRUE(wait_for([&] { return !cell(0, Section::share).isEmpty(); }));
-    type_key(Qt::Key_Up);
-    count();
-    type_key(Qt::Key_Up, Qt::ShiftModifier);
-    count();
-    QLineEdit& r = window_->budget().correlation();
-    ASSERT_TRUE(wait_for([&] { return r.isEnabled(); }));
-    type_key(Qt::Key_R, Qt::ControlModifier);
-    count();
-    ASSERT_TRUE(wait_for([&] { return r.hasFocus() && r.hasSelectedText(); }, 2000) || r.text().isEmpty());
-    type_keys(QStringLiteral("0.9"));
-    type_key(Qt::Key_Return);
-    count();
+    ASSERT_NO_FATAL_FAILURE(correlate_last_rows(QStringLiteral("0.9")));
     // u^2 = (25 nm)^2 + (9.7 nm)^2 + (l alpha)^2 2 (1 - r) (0.05 K)^2 + (l 0.03 K 2e-6/K / sqrt 3)^2
     const double thermal = 50.000623e6 * 11.5e-6, expansion = 50.000623e6 * 0.03 * 2e-6 / std::sqrt(3.0);
     const double u =
@@ -192,18 +197,7 @@ TEST_F(BudgetSession, GaugeBlockFromNothingToItsCertificateInFortyActions) {
     }
     EXPECT_TRUE(problems().isEmpty()) << problems().join(QLatin1Char('\n')).toStdString();
     ASSERT_TRUE(wait_for([&] { return status().result && status().is_of_present(); }));
-    type_key(Qt::Key_Up);
-    count();
-    type_key(Qt::Key_Up, Qt::ShiftModifier);
-    count();
-    QLineEdit& r = window_->budget().correlation();
-    ASSERT_TRUE(wait_for([&] { return r.isEnabled(); }));
-    type_key(Qt::Key_R, Qt::ControlModifier);
-    count();
-    ASSERT_TRUE(wait_for([&] { return r.hasFocus() && r.hasSelectedText(); }, 2000) || r.text().isEmpty());
-    type_keys(QStringLiteral("0.3"));
-    type_key(Qt::Key_Return);
-    count();
+    ASSERT_NO_FATAL_FAILURE(correlate_last_rows(QStringLiteral("0.3")));
     go_to_cell("outputs", 0, 1);
     count();
     type_keys(QStringLiteral("length at 20 C"));
