@@ -12,13 +12,13 @@
 #include "app/exit_status.h"
 #include "app/output_folder.h"
 #include "app/report_files.h"
+#include "app/saved_project.h"
 #include "app/terminal.h"
 #include "app/today.h"
 #include "core/base/file_io.h"
 #include "core/base/file_names.h"
 #include "core/carried/carried_project.h"
 #include "core/document/document_writers.h"
-#include "core/project/project_file.h"
 #include "core/report/amendment.h"
 #include "core/report/comparison_report.h"
 #include "core/result_files/csv_writer.h"
@@ -184,7 +184,7 @@ Result<void> write_amended(const CompareArguments& arguments, const Evaluation& 
                            statements_of({*was.made, stated, was.failed}, present), request);
     if (!project) return fail(project.error());
     const std::filesystem::path file = arguments.output;
-    if (file.extension() == ".covaria") return save_project(*project, file);
+    if (file.extension() == ".covaria") return save_with_tables(*std::move(project), file);
     ReportFiles files;
     if (auto named = write_into_one_file(arguments.output, files); !named) return named;
     if (auto made = make_output_folder(files.folder); !made) return made;

@@ -6,6 +6,7 @@
 #include "app/commands/commands.h"
 #include "app/examples_of_command.h"
 #include "app/exit_status.h"
+#include "app/saved_project.h"
 #include "app/terminal.h"
 #include "app/today.h"
 #include "core/made/load_project.h"
@@ -66,7 +67,7 @@ Result<void> release_file(const ReleaseArguments& arguments) {
         return fail(ErrorCode::bad_input, arguments.file + ": the project has errors; it was not released");
     if (auto changed = change(loaded.project, arguments); !changed) return changed;
     const std::string& file = arguments.output.empty() ? arguments.file : arguments.output;
-    if (auto saved = save_project(loaded.project, file); !saved) return saved;
+    if (auto saved = save_with_tables(loaded.project, file); !saved) return saved;
     std::printf("%s: %s\n", file.c_str(),
                 words_of(release_status(loaded.project), loaded.project.review).english().c_str());
     return {};

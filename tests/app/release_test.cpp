@@ -149,6 +149,16 @@ TEST_F(Released, ALineOfTheLogLeavesItReleased) {
     EXPECT_TRUE(has(read_text(project), "Released, digest "));
 }
 
+TEST(ReleaseCommand, InAnotherFolderTheTablesOfItsFilesStandInTheProject) {
+    const fs::path there = fresh_folder("elsewhere") / "sensor.covaria";
+    const std::string sensor = shipped_project("force-moment-sensor.covaria").string();
+    ASSERT_EQ(release(sensor, there.string()).status, 0);
+    EXPECT_FALSE(has(read_text(there), "force-moment-sensor.csv"));
+    EXPECT_EQ(run_program({"validate", there.string()}).status, 0);
+    const Outcome line = run_program({"release", there.string(), "--log", "x", "--by", "A"});
+    EXPECT_TRUE(has(line.out, "released by C. Cole")) << line.out << "the same figures";
+}
+
 TEST(ReleaseCommand, RefusesWhatIsNoRelease) {
     const std::string out = (fresh_folder("refused") / "order.covaria").string();
     EXPECT_EQ(run_program({"release", gauge, "-o", out}).status, 1) << "nobody is named";
