@@ -10,7 +10,7 @@ Result<void> save_with_tables(Project project, const std::filesystem::path& file
     std::error_code failure;
     // A file of the working folder has no folder in its name.
     const auto whole = [&](const fs::path& of) {
-        return fs::weakly_canonical(fs::current_path() / of, failure);
+        return fs::weakly_canonical(fs::current_path(failure) / of, failure);
     };
     const fs::path folder = whole(file.parent_path() / "."), own = whole(project.directory / ".");
     if (folder != own) unlink_tables(project);
