@@ -16,7 +16,17 @@ namespace {
 struct Mistake {
     Message words;
     std::function<bool(AdjustedNetwork&)> undo;  ///< false where it cannot have been made
+    std::vector<std::size_t> scaled = {};        ///< readings that are made smaller
+    double factor = 1.0;
 };
+
+/// The sum of squares of the residuals over their u, those of scaled readings as they were typed: a network
+/// that is made smaller as a whole has smaller residuals, and agrees no better.
+double sum_as_typed(const AdjustedNetwork& network, const Mistake& mistake) {
+    Eigen::VectorXd r = residuals_of(network, network.state.data());
+    for (const std::size_t i : mistake.scaled) r[static_cast<Eigen::Index>(i)] /= mistake.factor;
+    return (network.whitening * r).squaredNorm();
+}
 
 /// Readings that were typed in one unit together.
 struct TypedTogether {
@@ -79,6 +89,8 @@ private:
         find_start(network, problems);
         if (!problems.has_errors()) adjust(network, problems);
         if (problems.has_errors() || !network.adjusted) return false;
+        constexpr double much_less = 0.1;
+        if (!(sum_as_typed(network, mistake) < much_less * sum_as_typed(network_, {}))) return false;
         const adjustment::Reliability& found = network.reliability;
         return found.degrees_of_freedom > 0 &&
                chi_squared_upper_tail(found.sum_of_squares, found.degrees_of_freedom) >
@@ -138,11 +150,13 @@ private:
     }
 
     void add_unit(Message words, const std::vector<std::size_t>& readings, double factor) {
-        mistakes_.push_back({std::move(words), [readings, factor](AdjustedNetwork& network) {
+        mistakes_.push_back({std::move(words),
+                             [readings, factor](AdjustedNetwork& network) {
                                  return std::ranges::all_of(readings, [&](std::size_t i) {
                                      return scale(network.readings[i], factor);
                                  });
-                             }});
+                             },
+                             factor < 1.0 ? readings : std::vector<std::size_t>(), factor});
     }
 
     bool is_known(std::size_t point) const {
