@@ -45,6 +45,13 @@ private:
     std::shared_ptr<Place> place_;
 };
 
+/// What residuals are drawn over beside their order: a distance, a height.
+struct Abscissa {
+    Message name = {};  ///< "distance"
+    Unit unit = {};
+    std::vector<double> values = {};  ///< one for each reading, SI; NaN where a reading has none
+};
+
 /// Readings at the least sum of squares with the stated uncertainties, about which they count as linear in
 /// their unknowns.
 struct RedundantReadings {
@@ -54,9 +61,10 @@ struct RedundantReadings {
     /// Whitening as `adjustment::whitening`; no block joins figures. Empty: readings share sources of
     /// uncertainty, and `shares` says which.
     adjustment::SparseRows whitening = {};
-    Eigen::VectorXd residuals = {};           ///< reading less adjusted reading, SI
-    std::vector<std::size_t> datum = {};      ///< unknowns
-    std::vector<std::size_t> figure_of = {};  ///< one for each reading; `no_figure`: its u is not asked about
+    Eigen::VectorXd residuals = {};       ///< reading less adjusted reading, SI
+    std::vector<std::size_t> datum = {};  ///< unknowns
+    /// One for each reading; `no_figure`: its u is not asked about, or is of several figures (`shares`).
+    std::vector<std::size_t> figure_of = {};
     /// A matrix for each figure, readings x components of one standard uncertainty: its product with its
     /// transpose is the figure's part of the covariance.
     std::vector<Eigen::MatrixXd> shares = {};
@@ -64,6 +72,7 @@ struct RedundantReadings {
     std::vector<StatedFigure> figures = {};
     std::vector<Message> names = {};  ///< names of the readings
     std::vector<double> w = {};  ///< standardised residuals as stated; NaN where nothing controls a reading
+    std::vector<Abscissa> abscissas = {};
     std::vector<std::size_t> measurands = {};  ///< unknowns whose mean u says what follows
     Unit unit_of_measurands = {};
     TakeOver take_over = {};

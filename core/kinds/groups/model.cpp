@@ -1,6 +1,7 @@
 // Measurement model "observations in groups": the model class and its descriptor.
 #include "core/kinds/groups/model.h"
 
+#include "core/kinds/groups/evidence.h"
 #include "core/kinds/groups/setup.h"
 #include "core/model/equation_model.h"
 #include "core/quantity/input_quantity.h"
@@ -29,7 +30,9 @@ const std::vector<ModelEquation>& group_equations() {
 class GroupObservations : public EquationModel<GroupObservations> {
 public:
     explicit GroupObservations(GroupSetup setup)
-        : setup_(std::move(setup)), variances_(group_observations::variances_of(setup_)) {
+        : setup_(std::move(setup)),
+          variances_(group_observations::variances_of(setup_)),
+          evidence_(group_observations::redundant_readings(setup_)) {
         UncertaintyComponent component;
         component.id = setup_.symbol + ".mean";
         component.name = setup_.between == Between::included ? tell<"scatter of the means of the groups">()
@@ -60,6 +63,9 @@ public:
     std::vector<Table> evaluation() const override {
         return group_observations::group_evaluation(setup_, variances_);
     }
+    std::shared_ptr<const evidence::RedundantReadings> redundant_readings() const override {
+        return evidence_;
+    }
 
     template <class Real>
     mask_of<Real> equations(const Inputs<Real>& x, Outputs<Real>& y) const {
@@ -70,6 +76,7 @@ public:
 private:
     GroupSetup setup_;
     Variances variances_;
+    std::shared_ptr<const evidence::RedundantReadings> evidence_;  ///< null: nothing is stated
     InputSet inputs_;
     std::vector<OutputQuantity> outputs_;
 };

@@ -64,6 +64,20 @@ void add_observations(Fields<StatedGroups>& fields) {
                      &StatedGroups::per_group);
 }
 
+void add_stated(Fields<StatedGroups>& fields) {
+    fields.section("Stated scatter")
+        .add(
+            &StatedGroups::stated_within, "stated_within", "Within the groups",
+            "Standard deviation of one observation, in the unit of the quantity, as a data sheet or a budget "
+            "states it: the view Seen holds it against the observations. Empty: nothing is stated.",
+            {.range = {.low = 0.0, .low_open = true}, .optional = true})
+        .add(&StatedGroups::stated_between, "stated_between", "Between the groups",
+             "The same of the deviations that the observations of a group share. Empty: nothing is stated.",
+             {.range = {.low = 0.0, .low_open = true}, .optional = true});
+}
+
+}  // namespace
+
 const Fields<StatedGroups>& group_fields() {
     static const Fields<StatedGroups> fields = [] {
         Fields<StatedGroups> made;
@@ -79,10 +93,13 @@ const Fields<StatedGroups>& group_fields() {
                      {Between::components, "components", "by components of variance"},
                      {Between::none, "none", "not included"}},
                     Between::included);
+        add_stated(made);
         return made;
     }();
     return fields;
 }
+
+namespace {
 
 /// A value of the table, SI, less that of the first row.
 double relative(GroupSetup& setup, double value, bool first) {
@@ -146,6 +163,12 @@ SetupSchema group_schema() {
 std::optional<GroupSetup> read_group_setup(const SetupReader& reader, const AssetLibrary& assets,
                                            Problems& problems) {
     GroupSetup setup{group_fields().read(reader, assets, problems), {}, 0.0};
+    if (setup.stated_between && !setup.stated_within)
+        problems.error(group_fields().place(&StatedGroups::stated_within),
+                       tell<"what is stated between the groups can only be held against the observations "
+                            "together with what is stated within them">());
+    for (std::optional<double>* stated : {&setup.stated_within, &setup.stated_between})
+        if (*stated) *stated = setup.unit.interval_to_si(**stated);
     if (setup.data == Data::summary)
         take_summaries(setup);
     else

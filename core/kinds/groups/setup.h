@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/model/asset.h"
-#include "core/setup/setup_schema.h"
+#include "core/setup/fields.h"
 #include "core/text/table.h"
 
 namespace covaria::group_observations {
@@ -45,7 +45,10 @@ struct StatedGroups {
     std::vector<Summary> summaries;
     int per_group = 0;
     Between between = Between::included;
+    std::optional<double> stated_within;   ///< standard deviation of an observation, SI
+    std::optional<double> stated_between;  ///< standard deviation of the groups, SI
 };
+const Fields<StatedGroups>& group_fields();
 
 struct GroupSetup : StatedGroups {
     std::vector<Group> groups;  ///< J

@@ -50,6 +50,7 @@ std::optional<DistanceMeterFit> fit_of(const DistanceMeterSetup& setup) {
     const DistanceEquations equations(setup, fit.unknowns);
     if (!equations.misclosure.allFinite()) return std::nullopt;
     fit.residuals = -equations.misclosure;
+    fit.design = equations.design;
     const Eigen::HouseholderQR<Eigen::MatrixXd> factor(equations.design);
     const Eigen::MatrixXd inverse = factor.matrixQR().topRows(count).triangularView<Eigen::Upper>().solve(
         Eigen::MatrixXd::Identity(count, count));

@@ -16,6 +16,7 @@ namespace covaria::sheets {
 /// Unknowns: places of all pillars but the first, then the zero offset, which is added to a reading.
 struct DistanceMeterFit {
     Eigen::VectorXd unknowns;
+    Eigen::MatrixXd design;      ///< readings x unknowns
     Eigen::MatrixXd cofactors;   ///< cofactors of the unknowns
     Eigen::VectorXd residuals;   ///< adjusted less read, horizontal
     Eigen::VectorXd redundancy;  ///< redundancy of each reading: diagonal of I - A Q A^T

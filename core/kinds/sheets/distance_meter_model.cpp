@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "core/kinds/sheets/distance_meter_fit.h"
+#include "core/kinds/sheets/evidence.h"
 #include "core/kinds/sheets/models.h"
 #include "core/kinds/sheets/scatter.h"
 #include "core/model/equation_model.h"
@@ -27,7 +28,9 @@ const std::vector<ModelEquation>& distance_meter_equations() {
 class DistanceMeter : public EquationModel<DistanceMeter> {
 public:
     DistanceMeter(DistanceMeterSetup setup, DistanceMeterFit fit)
-        : setup_(std::move(setup)), fit_(std::move(fit)) {
+        : setup_(std::move(setup)),
+          fit_(std::move(fit)),
+          evidence_(sheets::redundant_readings(setup_, fit_)) {
         add_fit();
         add_scatter();
         if (setup_.with_scale) add_scale();
@@ -39,6 +42,9 @@ public:
     std::vector<Table> evaluation() const override { return sheets::distance_meter_tables(setup_, fit_); }
     std::vector<PlotSpecification> figures() const override {
         return sheets::distance_meter_figures(setup_, fit_);
+    }
+    std::shared_ptr<const evidence::RedundantReadings> redundant_readings() const override {
+        return evidence_;
     }
     std::vector<ModelEquation> formulas() const override {
         std::vector<ModelEquation> all = distance_meter_equations();
@@ -192,6 +198,7 @@ private:
 
     DistanceMeterSetup setup_;
     DistanceMeterFit fit_;
+    std::shared_ptr<const evidence::RedundantReadings> evidence_;  ///< null: nothing is stated
     InputSet inputs_;
     std::vector<OutputQuantity> outputs_;
     Eigen::VectorXd gain_;

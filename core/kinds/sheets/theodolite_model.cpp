@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/kinds/sheets/evidence.h"
 #include "core/kinds/sheets/models.h"
 #include "core/kinds/sheets/theodolite_fit.h"
 #include "core/model/equation_model.h"
@@ -32,7 +33,9 @@ const std::vector<ModelEquation>& theodolite_equations() {
 class TheodoliteRounds : public EquationModel<TheodoliteRounds> {
 public:
     TheodoliteRounds(TheodoliteSetup setup, TheodoliteFit fit)
-        : setup_(std::move(setup)), fit_(std::move(fit)) {
+        : setup_(std::move(setup)),
+          fit_(std::move(fit)),
+          evidence_(sheets::redundant_readings(setup_, fit_)) {
         add_deviation("s_Hz", tell<"standard deviation of a direction, measured once in both faces">(),
                       fit_.directions_pooled);
         add_deviation("s_V", tell<"standard deviation of a zenith angle, measured once in both faces">(),
@@ -44,6 +47,9 @@ public:
     const std::vector<OutputQuantity>& outputs() const override { return outputs_; }
     std::vector<Table> evaluation() const override { return sheets::theodolite_tables(setup_, fit_); }
     std::vector<PlotSpecification> figures() const override { return sheets::theodolite_figures(fit_); }
+    std::shared_ptr<const evidence::RedundantReadings> redundant_readings() const override {
+        return evidence_;
+    }
 
     Layout layout(std::span<const double>) const override {
         Layout layout;
@@ -107,6 +113,7 @@ private:
 
     TheodoliteSetup setup_;
     TheodoliteFit fit_;
+    std::shared_ptr<const evidence::RedundantReadings> evidence_;  ///< null: nothing is stated
     InputSet inputs_;
     std::vector<OutputQuantity> outputs_;
 };
