@@ -2,10 +2,12 @@
 #include "core/kinds/network/model.h"
 
 #include <future>
+#include <mutex>
 
 #include "core/base/name.h"
 #include "core/kinds/network/equations.h"
 #include "core/kinds/network/sensitivities.h"
+#include "core/kinds/network/sensor_evidence.h"
 #include "core/kinds/points/output_points.h"
 #include "core/model/equation_model.h"
 #include "core/quantity/input_quantity.h"
@@ -57,6 +59,10 @@ public:
     }
     std::vector<Table> evaluation() const override { return network::network_evaluation(setup_); }
 
+    std::shared_ptr<const evidence::RedundantReadings> redundant_readings() const override {
+        std::call_once(asked_, [this] { evidence_ = network::sensor_evidence(setup_); });
+        return evidence_;
+    }
     std::shared_ptr<const Asset> as_asset(const std::string& id) const override {
         return std::make_shared<OutputPoints>(id, outputs_);
     }
@@ -85,6 +91,8 @@ private:
 
     network::NetworkSetup setup_;
     InputSet inputs_;
+    mutable std::once_flag asked_;
+    mutable std::shared_ptr<const evidence::RedundantReadings> evidence_;  ///< null: nothing is redundant
     std::vector<OutputQuantity> outputs_;
 };
 
