@@ -96,7 +96,7 @@ private:
         InputQuantity quantity;
         quantity.symbol = component.id + "_" + point.label;
         quantity.name = tell<"%1, point %2">(component.name, point.name);
-        quantity.offset = length;
+        quantity.offset = length + point.misfit[bar];
         quantity.group = point.name;
         quantity.source = point.source;
         quantity.shares = shared_of(bar, length);

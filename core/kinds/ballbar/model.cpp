@@ -3,6 +3,7 @@
 
 #include "core/base/name.h"
 #include "core/kinds/ballbar/equations.h"
+#include "core/kinds/ballbar/evidence.h"
 #include "core/model/equation_model.h"
 #include "core/quantity/input_quantity.h"
 
@@ -14,8 +15,9 @@ using tcp::axis_letters;
 
 class TcpFromBallbars : public EquationModel<TcpFromBallbars> {
 public:
-    TcpFromBallbars(tcp::TcpSetup setup, tcp::TcpInputs inputs)
-        : setup_(std::move(setup)), inputs_(std::move(inputs)) {
+    TcpFromBallbars(tcp::TcpSetup setup, tcp::TcpInputs inputs,
+                    std::shared_ptr<const evidence::RedundantReadings> evidence)
+        : setup_(std::move(setup)), inputs_(std::move(inputs)), evidence_(std::move(evidence)) {
         if (setup_.finds_tool()) add_tool();
         const OutputRole role = setup_.finds_tool() ? OutputRole::intermediate : OutputRole::measurand;
         for (const tcp::Point& point : setup_.points)
@@ -25,7 +27,14 @@ public:
     const InputSet& inputs() const override { return inputs_.set; }
     const std::vector<OutputQuantity>& outputs() const override { return outputs_; }
     Layout layout(std::span<const double>) const override { return tcp::tcp_layout(setup_); }
-    std::vector<Table> evaluation() const override { return tcp::tcp_evaluation(setup_); }
+    std::vector<Table> evaluation() const override {
+        std::vector<Table> tables = tcp::tcp_evaluation(setup_);
+        if (setup_.has_lengths()) tables.push_back(tcp::residuals_of_lengths(setup_));
+        return tables;
+    }
+    std::shared_ptr<const evidence::RedundantReadings> redundant_readings() const override {
+        return evidence_;
+    }
 
     template <class Real>
     mask_of<Real> equations(const Inputs<Real>& x, Outputs<Real>& y) const {
@@ -60,6 +69,7 @@ private:
 
     tcp::TcpSetup setup_;
     tcp::TcpInputs inputs_;
+    std::shared_ptr<const evidence::RedundantReadings> evidence_;  ///< null: nothing is redundant
     std::vector<OutputQuantity> outputs_;
 };
 
@@ -70,7 +80,13 @@ std::unique_ptr<MeasurementModel> create_tcp_model(const SetupReader& reader, co
     tcp::check_tcp_setup(*setup, problems);
     if (problems.has_errors()) return nullptr;
     tcp::TcpInputs inputs = tcp::tcp_inputs(*setup);
-    return std::make_unique<TcpFromBallbars>(std::move(*setup), std::move(inputs));
+    const ComponentEvidence evidence = tcp::evidence_of(*setup, inputs);
+    if (setup->uncertainties == evidence::UncertaintiesFrom::stated)
+        tcp::warn_of_lengths(evidence, problems);
+    else
+        take_as_seen(inputs.set, evidence, setup->uncertainties,
+                     tcp::tcp_fields().place(&tcp::StatedTcp::uncertainties), problems);
+    return std::make_unique<TcpFromBallbars>(std::move(*setup), std::move(inputs), evidence.readings);
 }
 
 std::vector<ModelEquation> tcp_model_equations() {

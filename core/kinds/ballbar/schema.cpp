@@ -1,5 +1,6 @@
 // The fields of "TCP from ballbars".
 #include "core/kinds/ballbar/setup.h"
+#include "core/kinds/points/component_evidence.h"
 
 namespace covaria::tcp {
 
@@ -10,6 +11,7 @@ const Unit deg = Unit::of("deg");
 using Rotation = StatedTcp::Rotation;
 using Measured = StatedTcp::Measured;
 using Place = StatedTcp::Place;
+using Length = StatedTcp::Length;
 
 const std::vector<ChoiceOf<int>> axes{{0, "x", "x"}, {1, "y", "y"}, {2, "z", "z"}};
 
@@ -28,10 +30,11 @@ void add_measurement(Fields<StatedTcp>& fields) {
              {.optional = true})
         .choice(&StatedTcp::task, "evaluation", "Evaluation",
                 "The tool centre point from a planned procedure or from measured points; or only "
-                "the points as the ballbars measure them.",
+                "the points as the ballbars measure them, at given places or by measured lengths.",
                 {{Task::plan, "plan", "tool centre point, planned procedure"},
                  {Task::measured, "measured", "tool centre point, measured points"},
-                 {Task::points, "points", "points alone"}},
+                 {Task::points, "points", "points alone"},
+                 {Task::lengths, "lengths", "points alone, measured lengths"}},
                 Task::plan);
 }
 
@@ -80,6 +83,15 @@ Columns<Place> place_columns() {
         .each(&Place::p_B, coordinates());
 }
 
+Columns<Length> length_columns() {
+    return Columns<Length>()
+        .add(&Length::point, "point", "point", "Name of the point; it has a length of every bar.")
+        .add(&Length::bar, "bar", "bar", "Number of the bar, which is that of its support.",
+             {.range = {.low = 1.0, .high = double(most_supports)}})
+        .add(&Length::length, "length", "length", "From the support to the ball, as read.",
+             {.unit = mm, .range = {.low = 0.0, .low_open = true}, .observed = true});
+}
+
 void add_points(Fields<StatedTcp>& fields) {
     fields.section("Procedure")
         .table(&StatedTcp::rotations, "sequences", "Rotations",
@@ -92,7 +104,14 @@ void add_points(Fields<StatedTcp>& fields) {
                measured_columns(), {.measured = true})
         .table(&StatedTcp::places, "points", "Points",
                "Places of the ball that are measured, typed or from a CSV file.", place_columns(),
-               {.min_rows = 1});
+               {.min_rows = 1})
+        .table(&StatedTcp::lengths, "lengths", "Lengths",
+               "Lengths of the bars at each point, typed or from a CSV file. Those of more than three bars "
+               "are adjusted, and their residuals tell their uncertainty.",
+               length_columns(), {.min_rows = 3, .measured = true})
+        .choice(&StatedTcp::uncertainties, uncertainties_key, "Uncertainties of the lengths",
+                "As the ballbars state them, or as the residuals of the lengths see them.",
+                choices_of_uncertainties(), evidence::UncertaintiesFrom::stated);
 }
 
 std::vector<ChoiceOf<FrameRule>> frame_choices() {
@@ -126,6 +145,7 @@ Fields<StatedTcp> declared() {
                      &StatedTcp::tool_y, &StatedTcp::tool_z, &StatedTcp::rotations)
         .shown_where(&StatedTcp::task, {Task::measured}, &StatedTcp::measured)
         .shown_where(&StatedTcp::task, {Task::points}, &StatedTcp::places)
+        .shown_where(&StatedTcp::task, {Task::lengths}, &StatedTcp::lengths, &StatedTcp::uncertainties)
         .shown_where(&StatedTcp::task, {Task::plan, Task::measured}, &StatedTcp::frame,
                      &StatedTcp::geometric_sphere);
     return fields;

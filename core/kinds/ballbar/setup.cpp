@@ -20,7 +20,9 @@ public:
     std::optional<TcpSetup> read() {
         if (tcp_.robot) tcp_.turns = tcp_.robot->orientation().has_value();
         tcp_.supports = support_positions(*tcp_.ballbars);
-        if (tcp_.task == Task::points)
+        if (tcp_.has_lengths())
+            take_lengths(tcp_, problems_);
+        else if (tcp_.task == Task::points)
             take_places();
         else if (tcp_.task == Task::measured)
             take_measured();
@@ -37,7 +39,8 @@ public:
 
 private:
     std::string table() const {
-        return tcp_.task == Task::points     ? tcp_fields().place(&StatedTcp::places)
+        return tcp_.has_lengths()            ? tcp_fields().place(&StatedTcp::lengths)
+               : tcp_.task == Task::points   ? tcp_fields().place(&StatedTcp::places)
                : tcp_.task == Task::measured ? tcp_fields().place(&StatedTcp::measured)
                                              : tcp_fields().place(&StatedTcp::rotations);
     }
@@ -131,24 +134,8 @@ private:
     }
 
     void finish() {
-        for (Point& point : tcp_.points) weigh(point);
+        for (Point& point : tcp_.points) weigh(tcp_, point);
         for (Sequence& sequence : tcp_.sequences) describe(sequence);
-    }
-
-    // 1/u² of each length as it is read at this point; no uncertainty at all counts as the limit of a small
-    // one.
-    void weigh(Point& point) const {
-        constexpr double least_share = 1e-4;
-        std::array<double, most_supports> u{};
-        double largest = 0.0;
-        for (std::size_t j = 0; j < tcp_.supports.size(); ++j) {
-            point.length[j] = (point.p_B - tcp_.supports[j]).norm();
-            u[j] = tcp_.ballbars->reading(j, point.length[j]).distribution.standard_uncertainty();
-            largest = std::max(largest, u[j]);
-        }
-        for (std::size_t j = 0; j < tcp_.supports.size(); ++j)
-            point.weights[j] =
-                largest > 0.0 ? std::pow(largest / std::max(u[j], least_share * largest), 2) : 1.0;
     }
 
     // Radius and span of the arc, and how small rotations of the flange move its points.
@@ -173,6 +160,19 @@ private:
 };
 
 }  // namespace
+
+void weigh(const TcpSetup& setup, Point& point) {
+    constexpr double least_share = 1e-4;
+    std::array<double, most_supports> u{};
+    double largest = 0.0;
+    for (std::size_t j = 0; j < setup.supports.size(); ++j) {
+        point.length[j] = (point.p_B - setup.supports[j]).norm();
+        u[j] = setup.ballbars->reading(j, point.length[j]).distribution.standard_uncertainty();
+        largest = std::max(largest, u[j]);
+    }
+    for (std::size_t j = 0; j < setup.supports.size(); ++j)
+        point.weights[j] = largest > 0.0 ? std::pow(largest / std::max(u[j], least_share * largest), 2) : 1.0;
+}
 
 bool TcpSetup::measures(int axis) const {
     for (const Sequence& sequence : sequences)

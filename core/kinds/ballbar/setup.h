@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/evidence/as_seen.h"
 #include "core/kinds/ballbar/ballbar.h"
 #include "core/kinds/ballbar/repeatability.h"
 #include "core/model/offered.h"
@@ -23,6 +24,7 @@ enum class Task {
     plan,      ///< the tool from a planned procedure
     measured,  ///< the tool from given points
     points,    ///< no tool: the points alone
+    lengths,   ///< no tool: the points alone, by measured lengths
 };
 
 /// Rule for which axes of the flange are taken as measured; the others complete a right-handed frame.
@@ -46,6 +48,7 @@ struct Point {
     double angle = 0.0;  ///< commanded rotation from the zero pose
     double cosine = 1.0, sine = 0.0;
     std::array<double, most_supports> length{};       ///< lengths to the supports, at the estimates
+    std::array<double, most_supports> misfit{};       ///< measured lengths less these; 0 where none are given
     std::array<double, most_supports> weights{};      ///< set when there are more than three
     Eigen::Matrix3d lever = Eigen::Matrix3d::Zero();  ///< displacement by small rotations of the flange
 };
@@ -76,6 +79,11 @@ struct StatedTcp {
         std::string name;
         Eigen::Vector3d p_B = Eigen::Vector3d::Zero();
     };
+    struct Length {
+        std::string point;
+        int bar = 0;  ///< counted from 1
+        double length = 0.0;
+    };
     Offered<BallbarSource> ballbars;
     Offered<RepeatabilitySource> robot;  ///< may be empty
     Task task = Task::plan;
@@ -84,6 +92,8 @@ struct StatedTcp {
     std::vector<Rotation> rotations;
     std::vector<Measured> measured;
     std::vector<Place> places;
+    std::vector<Length> lengths;
+    evidence::UncertaintiesFrom uncertainties = evidence::UncertaintiesFrom::stated;
     FrameRule frame = frame_rules[0];
     bool geometric_sphere = true;
 };
@@ -99,7 +109,8 @@ struct TcpSetup : StatedTcp {
     Eigen::Vector3d tool_F = Eigen::Vector3d::Zero();
     bool turns = false;  ///< the robot's orientation scatters too
 
-    bool finds_tool() const { return task != Task::points; }
+    bool finds_tool() const { return task == Task::plan || task == Task::measured; }
+    bool has_lengths() const { return task == Task::lengths; }
     bool measures(int axis) const;
 };
 
@@ -108,6 +119,12 @@ std::optional<TcpSetup> read_tcp_setup(const SetupReader& setup, const AssetLibr
                                        Problems& problems);
 /// Refuses what cannot work (one arc, no circle, wrong side), warns of what works badly (short arcs).
 void check_tcp_setup(const TcpSetup& setup, Problems& problems);
+
+/// Points where their measured lengths meet, by least squares with the weights of these.
+void take_lengths(TcpSetup& setup, Problems& problems);
+/// Lengths of a point at its place, and their weights 1/u² as they are read there; no uncertainty at all
+/// counts as the limit of a small one.
+void weigh(const TcpSetup& setup, Point& point);
 
 /// Flange, tool and circles from given points.
 void fit_measured_points(TcpSetup& setup, Problems& problems);

@@ -87,6 +87,9 @@ void FitsWithSharedComponents::add(const std::vector<Row>& rows) {
     for (Eigen::Index i = 0; i < n; ++i) {
         const Row& row = rows[static_cast<std::size_t>(i)];
         names_.push_back(row.name);
+        for (std::size_t k = 0; k < abscissas_.size(); ++k)
+            abscissas_[k].values.push_back(k < row.over.size() ? row.over[k]
+                                                               : std::numeric_limits<double>::quiet_NaN());
         fit.design.row(i) = row.design.transpose();
         fit.residuals[i] = row.residual;
         for (const Part& part : row.parts)
@@ -128,6 +131,7 @@ ComponentEvidence FitsWithSharedComponents::evidence(
     }
     readings->design = design.sparseView();
     readings->names = names_;
+    readings->abscissas = abscissas_;
     readings->w = w_;
     readings->figure_of.assign(names_.size(), evidence::RedundantReadings::no_figure);
     readings->take_over = take_over_of_uncertainties();

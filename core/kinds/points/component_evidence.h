@@ -42,6 +42,9 @@ class FitsWithSharedComponents {
 public:
     explicit FitsWithSharedComponents(const InputSet& inputs) : inputs_(inputs) {}
 
+    /// Residuals are drawn over this, too; rows that are added have its value.
+    void over(evidence::Abscissa abscissa) { abscissas_.push_back(std::move(abscissa)); }
+
     /// The part of an input quantity in a deviation of a row.
     struct Part {
         std::size_t quantity = 0;
@@ -52,6 +55,7 @@ public:
         Eigen::VectorXd design;  ///< derivatives by the unknowns of the fit
         double residual = 0.0;   ///< up to what the unknowns take up; all rows have one weight
         std::vector<Part> parts;
+        std::vector<double> over = {};  ///< SI, in the order of the abscissas; empty: none
     };
     void add(const std::vector<Row>& rows);
     /// None where there are no rows, no figures, or too many rows for them.
@@ -66,6 +70,7 @@ private:
     std::vector<Fit> fits_;
     std::vector<Message> names_;
     std::vector<double> w_;
+    std::vector<evidence::Abscissa> abscissas_;
 };
 
 /// Components of figures that are seen become Type A, rest on one estimate of variance for each figure (or
