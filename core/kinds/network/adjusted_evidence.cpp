@@ -6,6 +6,7 @@
 
 #include "core/base/disjoint_sets.h"
 #include "core/evidence/as_seen.h"
+#include "core/evidence/combined.h"
 #include "core/kinds/network/adjusted_setup.h"
 #include "core/kinds/network/seen_figures.h"
 #include "core/kinds/points/component_evidence.h"
@@ -143,6 +144,29 @@ private:
     std::vector<std::size_t> key_of_;  ///< index of the figure of each reading
 };
 
+/// Lengths of the lines that are read, and heights of what is read; those of no reading are left out.
+std::vector<evidence::Abscissa> abscissas_of(const AdjustedNetwork& network) {
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    evidence::Abscissa length{tell<"distance">(), Unit::of("m"), {}},
+        height{tell<"height">(), Unit::of("m"), {}};
+    for (const AdjustedReading& reading : network.readings) {
+        const bool is_of_figure = reading.kind == ReadingKind::figure_length ||
+                                  reading.kind == ReadingKind::figure_ratio ||
+                                  reading.kind == ReadingKind::figure_angle || is_of_tilts(reading.kind);
+        const bool is_of_point = is_of_coordinates(reading.kind) || is_in_frame(reading.kind);
+        const std::size_t at = is_of_point ? reading.from : reading.to;
+        const bool is_line = !is_of_figure && !is_of_point && reading.from != reading.to;
+        length.values.push_back(
+            is_line ? (network.position(reading.to) - network.position(reading.from)).norm() : none);
+        height.values.push_back(!is_of_figure && network.points[at].has(2) ? network.position(at).z() : none);
+    }
+    std::vector<evidence::Abscissa> all;
+    for (evidence::Abscissa* one : {&length, &height})
+        if (std::ranges::any_of(one->values, [](double value) { return std::isfinite(value); }))
+            all.push_back(std::move(*one));
+    return all;
+}
+
 /// Scales the uncertainties of readings with the factors of the figures that are seen.
 void scale(AdjustedNetwork& network, const std::vector<std::size_t>& figure_of,
            const std::vector<evidence::TakenFactor>& factors) {
@@ -165,6 +189,45 @@ void scale(AdjustedNetwork& network, const std::vector<std::size_t>& figure_of,
     network.whitening = adjustment::SparseRows(by.asDiagonal() * network.whitening);
 }
 
+/// What other analyses see of the readings of one kind and instrument; empty: none of them sees it.
+struct SeenElsewhere {
+    std::optional<SeenFigureOfReadings> figure = {};
+    double between = 0.0;  ///< standard deviation of ln u between them
+    std::string ids = {}, names = {};
+};
+
+std::string names_of(const std::vector<Offered<SeenFiguresSource>>& campaigns) {
+    std::string names;
+    for (const auto& campaign : campaigns) names += (names.empty() ? "" : ", ") + campaign.name;
+    return names;
+}
+
+SeenElsewhere seen_elsewhere(const std::vector<Offered<SeenFiguresSource>>& campaigns,
+                             const AdjustedReading& reading) {
+    SeenElsewhere seen;
+    std::vector<SeenFigureOfReadings> figures;
+    std::vector<Offered<SeenFiguresSource>> sees;
+    for (const auto& campaign : campaigns)
+        if (const auto figure = campaign->figure_of(reading.kind, reading.instrument)) {
+            figures.push_back(*figure);
+            sees.push_back(campaign);
+            seen.ids += (seen.ids.empty() ? "" : "+") + campaign.id;
+        }
+    if (figures.empty()) return {};
+    seen.names = names_of(sees);
+    seen.figure = figures.front();
+    const bool has_u = std::ranges::all_of(figures, [](const auto& figure) { return figure.u.has_value(); });
+    std::vector<evidence::CampaignFigure> of_campaigns;
+    for (const SeenFigureOfReadings& figure : figures)
+        of_campaigns.push_back({has_u ? *figure.u : figure.factor, figure.degrees_of_freedom});
+    const evidence::CombinedFigure found = evidence::combined(of_campaigns);
+    if (!has_u) seen.figure->u.reset();
+    (has_u ? *seen.figure->u : seen.figure->factor) = found.u;
+    seen.figure->degrees_of_freedom = found.degrees_of_freedom;
+    seen.between = found.between;
+    return seen;
+}
+
 }  // namespace
 
 evidence::RedundantReadings redundant_readings(const AdjustedNetwork& network) {
@@ -180,6 +243,7 @@ evidence::RedundantReadings redundant_readings(const AdjustedNetwork& network) {
         readings.w.push_back(found.readings[i].controlled ? found.readings[i].w
                                                           : std::numeric_limits<double>::quiet_NaN());
     }
+    readings.abscissas = abscissas_of(network);
     for (std::size_t k = 0; k < network.place_of.size(); ++k) {
         const std::size_t place = network.place_of[k];
         if (place >= 3 * network.points.size()) break;
@@ -237,27 +301,39 @@ std::optional<SeenFigureOfReadings> NetworkEvidence::figure_of(ReadingKind kind,
     return {};
 }
 
-void take_seen_elsewhere(AdjustedNetwork& network, const SeenFiguresSource& source, const std::string& id,
-                         const std::string& name, Problems& problems) {
-    std::map<FigureKey, std::optional<SeenFigureOfReadings>> figures;
+std::vector<Offered<SeenFiguresSource>> campaigns_of(const StatedAdjustment& stated) {
+    std::vector<Offered<SeenFiguresSource>> campaigns;
+    const auto take = [&](const Offered<SeenFiguresSource>& campaign) {
+        const auto same = [&](const Offered<SeenFiguresSource>& known) { return known.id == campaign.id; };
+        if (campaign && std::ranges::none_of(campaigns, same)) campaigns.push_back(campaign);
+    };
+    take(stated.seen_in);
+    for (const StatedAdjustment::Campaign& further : stated.further_campaigns) take(further.seen_in);
+    return campaigns;
+}
+
+void take_seen_elsewhere(AdjustedNetwork& network, const std::vector<Offered<SeenFiguresSource>>& campaigns,
+                         Problems& problems) {
+    std::map<FigureKey, SeenElsewhere> figures;
     std::vector<std::size_t> figure_of;
     std::vector<evidence::TakenFactor> factors;
     Message kept;
     for (AdjustedReading& reading : network.readings) {
         const FigureKey key = key_of(network, reading);
         const auto [known, added] = figures.try_emplace(key);
-        if (added && !key.is_stated_of_point)
-            known->second = source.figure_of(reading.kind, reading.instrument);
-        if (added && !known->second) kept += Message(kept.empty() ? "" : ", ") + words_of_figure(key);
+        SeenElsewhere& seen = known->second;
+        if (added && !key.is_stated_of_point) seen = seen_elsewhere(campaigns, reading);
+        if (added && !seen.figure) kept += Message(kept.empty() ? "" : ", ") + words_of_figure(key);
         figure_of.push_back(factors.size());
         factors.emplace_back();
-        if (!known->second) continue;
-        const SeenFigureOfReadings& figure = *known->second;
+        if (!seen.figure) continue;
+        const SeenFigureOfReadings& figure = *seen.figure;
         factors.back() = {figure.u ? *figure.u / reading.u : figure.factor, figure.degrees_of_freedom};
     }
     if (!kept.empty())
         problems.warning(adjustment_fields().place(&StatedAdjustment::seen_in),
-                         tell<"%1 does not see these figures, so they stay as stated here: %2">(name, kept));
+                         tell<"%1 does not see these figures, so they stay as stated here: %2">(
+                             names_of(campaigns), kept));
     for (const adjustment::CovarianceBlock& block : network.blocks)
         for (const std::size_t i : block.readings)
             if (factors[i].factor != factors[block.readings.front()].factor)
@@ -266,11 +342,12 @@ void take_seen_elsewhere(AdjustedNetwork& network, const SeenFiguresSource& sour
                     tell<"readings of figures that are seen elsewhere are correlated with others here">());
     scale(network, figure_of, factors);
     for (AdjustedReading& reading : network.readings) {
-        const auto& figure = figures.at(key_of(network, reading));
-        if (!figure) continue;
-        reading.seen_in = id;
-        reading.seen_in_name = name;
-        reading.estimate = figure->estimate;
+        const SeenElsewhere& seen = figures.at(key_of(network, reading));
+        if (!seen.figure) continue;
+        reading.seen_in = seen.ids;
+        reading.seen_in_name = seen.names;
+        reading.estimate = seen.figure->estimate;
+        reading.between = seen.between;
     }
 }
 

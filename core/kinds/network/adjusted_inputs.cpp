@@ -39,6 +39,9 @@ InputSet adjustment_inputs(const AdjustedNetwork& network) {
             component.origin = reading.seen_in.empty() ? tell<"as seen: %1 times what was stated">(factor)
                                                        : tell<"as seen in %1: %2 times what is stated here">(
                                                              reading.seen_in_name, factor);
+            if (reading.between > 0.0)
+                component.origin = tell<"%1; from one campaign to the next it changes by %2 %">(
+                    component.origin, Message::number(format_significant(100.0 * reading.between, 2)));
         }
         InputQuantity quantity{.symbol = reading.symbol,
                                .name = words_of(network, reading),

@@ -154,8 +154,8 @@ private:
             return {};
         }
         if (!std::exchange(compared_, true)) check_closures(*made, problems_);
-        if (const auto& seen_in = stated_.seen_in)
-            take_seen_elsewhere(*made, *seen_in, seen_in.id, seen_in.name, own);
+        if (const auto campaigns = campaigns_of(stated_); !campaigns.empty())
+            take_seen_elsewhere(*made, campaigns, own);
         if (own.has_errors()) return {};
         find_start(*made, own);
         if (own.has_errors()) {

@@ -197,6 +197,11 @@ Columns<Stated::Distance> distance_columns() {
         .add(&Row::to, "to", "to", "Name of another point.");
 }
 
+Columns<Stated::Campaign> campaign_columns() {
+    return Columns<Stated::Campaign>().add(&Stated::Campaign::seen_in, "campaign", "campaign",
+                                           "A network as above.");
+}
+
 }  // namespace
 
 const Fields<StatedAdjustment>& adjustment_fields() {
@@ -230,6 +235,11 @@ const Fields<StatedAdjustment>& adjustment_fields() {
                  "worth. Readings of the same kind and instrument get the standard uncertainty that it sees, "
                  "with its degrees of freedom, and follow its readings; others stay as stated here.",
                  {.optional = true})
+            .table(&Stated::further_campaigns, "further_campaigns", "And in further campaigns",
+                   "Further networks that see the same figures. What several of them see is combined: their "
+                   "mean, with what it changes from one campaign to the next in its degrees of freedom "
+                   "(Paule and Mandel).",
+                   campaign_columns(), {.optional = true})
             .table(&Stated::figures, "figures", "Figures of instruments",
                    "What an instrument does to all of its readings alike, with what is known of it.",
                    figure_columns(), {.optional = true})

@@ -140,6 +140,10 @@ struct StatedAdjustment {
     bool robust = false;                ///< a robust start, and outliers are left out
     UncertaintiesFrom uncertainties = UncertaintiesFrom::stated;
     Offered<SeenFiguresSource> seen_in;  ///< empty where the table of readings states all of them
+    struct Campaign {
+        Offered<SeenFiguresSource> seen_in;
+    };
+    std::vector<Campaign> further_campaigns;  ///< what they see is combined with what `seen_in` does
 };
 const Fields<StatedAdjustment>& adjustment_fields();
 
@@ -172,6 +176,7 @@ struct AdjustedReading {
     std::size_t estimate = no_round;
     std::string seen_in = {}, seen_in_name = {};  ///< analysis whose readings gave it; empty: this one
     double factor = 1.0;                          ///< ratio of u to the u that was stated
+    double between = 0.0;  ///< standard deviation of ln u between the campaigns that saw it
     double degrees_of_freedom = infinity;
     std::string source = {};  ///< place in the set-up
     std::string symbol = {};  ///< symbol of its input quantity

@@ -42,9 +42,12 @@ private:
     mutable std::shared_ptr<const evidence::RedundantReadings> readings_;
 };
 
-/// The readings get what another analysis sees of their kind and instrument: the u that it sees where it has
-/// one for all of them, else that factor of what is stated here. Warns of readings that it does not see.
-void take_seen_elsewhere(AdjustedNetwork& network, const SeenFiguresSource& source, const std::string& id,
-                         const std::string& name, Problems& problems);
+/// The readings get what other analyses see of their kind and instrument: the u that these see where each
+/// has one for all of them, else that factor of what is stated here; of several, what `evidence::combined`
+/// makes of them. Warns of readings that none of them sees.
+void take_seen_elsewhere(AdjustedNetwork& network, const std::vector<Offered<SeenFiguresSource>>& campaigns,
+                         Problems& problems);
+/// The campaigns that a set-up names; `seen_in` first.
+std::vector<Offered<SeenFiguresSource>> campaigns_of(const StatedAdjustment& stated);
 
 }  // namespace covaria::network
