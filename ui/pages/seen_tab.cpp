@@ -25,13 +25,11 @@ SeenTab::SeenTab(Document& document, AnalysisRunner& runner, Selection& selectio
     table_ = new SortableTable(model_, tr("seen"));
     table_->setObjectName(QStringLiteral("seen_table"));
     table_->setItemDelegate(new SeenDelegate(table_));
-    residuals_ = new ChartView;
-    quantiles_ = new ChartView;
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     column->addWidget(make_head());
-    column->addWidget(one_above_other(table_, side_by_side(residuals_, quantiles_, 3, 2)), 1);
+    column->addWidget(one_above_other(table_, make_charts()), 1);
     const auto take = [this](const QString& id) {
         if (id == selection_.analysis()) refresh();
     };
@@ -69,6 +67,41 @@ QWidget* SeenTab::make_head() {
     return head;
 }
 
+QWidget* SeenTab::make_charts() {
+    residuals_ = new ChartView;
+    quantiles_ = new ChartView;
+    const auto chosen = [this](const char* name, const QString& accessible) {
+        auto* box = new QComboBox;
+        box->setObjectName(QLatin1String(name));
+        box->setAccessibleName(accessible);
+        connect(box, &QComboBox::currentIndexChanged, this, &SeenTab::show_charts);
+        return box;
+    };
+    const auto above = [](QComboBox* box, ChartView* chart) {
+        auto* part = new QWidget;
+        auto* column = new QVBoxLayout(part);
+        column->setContentsMargins(0, 0, 0, 0);
+        column->setSpacing(0);
+        column->addWidget(box, 0, Qt::AlignRight);
+        column->addWidget(chart, 1);
+        return part;
+    };
+    abscissa_ = chosen("seen_abscissa", tr("What the residuals are drawn over"));
+    shape_ = chosen("seen_shape", tr("Distribution of the residuals"));
+    shape_->addItems({tr("Quantiles"), tr("Histogram")});
+    return side_by_side(above(abscissa_, residuals_), above(shape_, quantiles_), 3, 2);
+}
+
+void SeenTab::show_abscissas() {
+    const QSignalBlocker quiet(abscissa_);
+    const QString before = abscissa_->currentText();
+    abscissa_->clear();
+    if (!readings_) return;
+    for (const Message& name : residual_abscissas(*readings_))
+        abscissa_->addItem(tr("Over: %1").arg(to_qt(language_of_window().say(name))));
+    abscissa_->setCurrentIndex(std::max(0, abscissa_->findText(before)));
+}
+
 double SeenTab::level() const {
     return level_->currentData().toDouble();
 }
@@ -101,6 +134,7 @@ void SeenTab::show_seen(Found found) {
     seen_ = std::move(found.seen);
     emit filled(readings_ != nullptr);
     model_.set_seen(readings_, seen_);
+    show_abscissas();
     QStringList said;
     if (readings_ && seen_)
         for (const Message& note : seen_notes(*readings_, *seen_))
@@ -123,8 +157,10 @@ void SeenTab::show_charts() {
     const bool any = readings_ && seen_ && !seen_->figures.empty();
     const auto figure = static_cast<std::size_t>(std::max(0, table_->current_row()));
     const DocumentLanguage language = language_of_window();
-    residuals_->set_plot(any ? residual_plot(*readings_, figure, language) : PlotSpecification());
-    quantiles_->set_plot(any ? quantile_plot(*readings_, figure, language) : PlotSpecification());
+    const auto over = static_cast<std::size_t>(std::max(0, abscissa_->currentIndex()));
+    const auto distribution = shape_->currentIndex() == 0 ? quantile_plot : residual_histogram;
+    residuals_->set_plot(any ? residual_plot(*readings_, figure, over, language) : PlotSpecification());
+    quantiles_->set_plot(any ? distribution(*readings_, figure, language) : PlotSpecification());
 }
 
 bool SeenTab::is_taken_over() const {

@@ -29,6 +29,10 @@ public:
     SortableTable& table() { return *table_; }
     QLabel& summary() { return *summary_; }
     QPushButton& take_over_button() { return *take_over_; }
+    QComboBox& abscissa() { return *abscissa_; }
+    QComboBox& shape() { return *shape_; }
+    ChartView& residuals() { return *residuals_; }
+    ChartView& quantiles() { return *quantiles_; }
     /// Null while they are computed, and without redundant readings.
     const std::shared_ptr<const evidence::Seen>& seen() const { return seen_; }
 
@@ -40,6 +44,8 @@ signals:
 
 private:
     QWidget* make_head();
+    QWidget* make_charts();
+    void show_abscissas();
     void refresh();
     void start();
     struct Found {
@@ -62,7 +68,7 @@ private:
     std::shared_ptr<const evidence::RedundantReadings> readings_;
     std::shared_ptr<const evidence::Seen> seen_;
     SortableTable* table_ = nullptr;
-    QComboBox* level_ = nullptr;
+    QComboBox *level_ = nullptr, *abscissa_ = nullptr, *shape_ = nullptr;
     QPushButton* take_over_ = nullptr;
     QLabel* summary_ = nullptr;
     ChartView *residuals_ = nullptr, *quantiles_ = nullptr;

@@ -56,6 +56,26 @@ TEST_F(SeenSession, FiguresAreHeldAgainstTheResiduals) {
     ASSERT_TRUE(wait_for([&] { return tab().seen() && tab().seen()->figures[2].low < low; }));
 }
 
+TEST_F(SeenSession, ResidualsAreDrawnOverDistanceAndAsAHistogram) {
+    open_network("stated");
+    QComboBox& over = tab().abscissa();
+    ASSERT_EQ(over.count(), 3);
+    EXPECT_EQ(over.itemText(1), QStringLiteral("Over: distance"));
+    const std::string order = tab().residuals().plot().id;
+    over.setCurrentIndex(1);
+    EXPECT_NE(tab().residuals().plot().id, order);
+    EXPECT_EQ(tab().residuals().plot().x.unit, "m");
+    EXPECT_FALSE(tab().residuals().plot().series.empty());
+    EXPECT_EQ(tab().quantiles().plot().id, "seen-quantiles");
+    tab().shape().setCurrentIndex(1);
+    EXPECT_EQ(tab().quantiles().plot().id, "seen-histogram");
+    EXPECT_FALSE(tab().quantiles().plot().series.empty());
+    // Another level draws the same readings anew, over what was chosen.
+    tab().findChild<QComboBox*>(QStringLiteral("seen_level"))->setCurrentIndex(1);
+    ASSERT_TRUE(wait_for([this] { return tab().seen() != nullptr; }));
+    EXPECT_EQ(over.currentIndex(), 1);
+}
+
 TEST_F(SeenSession, OneClickTakesThemOverAndOneUndoTakesThemBack) {
     open_network("stated");
     const double stated = u_of_length();
