@@ -56,8 +56,10 @@ struct FitStatistics {
     Eigen::MatrixXd covariance;                ///< covariance of the unknowns
     Eigen::VectorXd singular_values;           ///< those of the weighted Jacobian with columns of length one
     Eigen::VectorXd weakest;                   ///< direction of the unknowns that belongs to the last
-    double scatter = 0.0;        ///< root mean square of residuals over what their uncertainties explain
-    double limit = 0.0;          ///< limit of |residual|/u, family-wise 5 %
+    double scatter = 0.0;  ///< root mean square of residuals over what their uncertainties explain
+    double limit = 0.0;    ///< limit of |residual|/u, family-wise 5 %
+    /// Rows whose errors the test cannot tell from one of the row with the largest |residual|/u.
+    std::vector<std::size_t> alike;
     ComponentEvidence evidence;  ///< evidence of measured poses about the stated uncertainties
 };
 

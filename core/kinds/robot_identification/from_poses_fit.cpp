@@ -144,14 +144,50 @@ bool minimise(const Calibration& c, const VectorXd& w, std::vector<double>& v) {
     return false;
 }
 
+Index worst_row(const FitStatistics& s) {
+    Index worst = 0;
+    s.residuals.cwiseAbs().cwiseQuotient(s.u_residuals.cwiseMax(1e-300)).maxCoeff(&worst);
+    return worst;
+}
+
+/// Rows whose residuals hang together with that of `row` so that a test of one is a test of the others.
+/// `deviations`: residuals by components.
+std::vector<std::size_t> rows_alike(const MatrixXd& deviations, Index row) {
+    constexpr double alike = 0.98;
+    const VectorXd products = deviations * deviations.row(row).transpose();
+    const VectorXd lengths = deviations.rowwise().norm();
+    const double least = 1e-6 * lengths.maxCoeff();
+    std::vector<std::size_t> rows;
+    for (Index i = 0; i < products.size(); ++i)
+        if (i != row && lengths[i] > least && std::abs(products[i]) > alike * lengths[i] * lengths[row])
+            rows.push_back(static_cast<std::size_t>(i));
+    return rows;
+}
+
+Message rows_in_words(const Calibration& c, const std::vector<std::size_t>& rows) {
+    constexpr std::size_t most_named = 3;
+    Message words;
+    for (std::size_t k = 0; k < rows.size() && k < most_named; ++k) {
+        const std::size_t m = c.rows_per_pose();
+        const Message row = tell<"the %1 of %2">(coordinate_words(rows[k] % m), c.poses[rows[k] / m].name);
+        words = words.empty() ? row : tell<"%1, %2">(words, row);
+    }
+    if (rows.size() > most_named) words = tell<"%1 and %2 more">(words, rows.size() - most_named);
+    return words;
+}
+
 void warn_of_outlier(const Calibration& c, Index row, double size, Problems& problems) {
     const auto m = static_cast<Index>(c.rows_per_pose());
     const MeasuredPose& pose = c.poses[static_cast<std::size_t>(row / m)];
-    problems.warning(pose.source,
-                     tell<"pose %1: the residual of its %2 is %3 times its standard uncertainty (limit %4). "
-                          "Look at this pose first; hold it back by use = check">(
-                         pose.name, coordinate_words(static_cast<std::size_t>(row % m)), format_short(size),
-                         format_short(c.statistics.limit)));
+    Message words = tell<
+        "pose %1: the residual of its %2 is %3 times its standard uncertainty (limit %4). "
+        "Look at this pose first; hold it back by use = check">(
+        pose.name, coordinate_words(static_cast<std::size_t>(row % m)), format_short(size),
+        format_short(c.statistics.limit));
+    if (!c.statistics.alike.empty())
+        words = tell<"%1. An error of it cannot be told apart from one of %2">(
+            words, rows_in_words(c, c.statistics.alike));
+    problems.warning(pose.source, std::move(words));
 }
 
 /// Warns of residuals that the uncertainties do not explain.
@@ -159,10 +195,9 @@ void warn_of_residuals(const Calibration& c, Problems& problems) {
     const FitStatistics& s = c.statistics;
     const auto freedom = static_cast<double>(c.rows() - c.unknowns.size());
     if (freedom < 1.0) return;
-    const VectorXd size = s.residuals.cwiseAbs().cwiseQuotient(s.u_residuals.cwiseMax(1e-300));
-    Index worst = 0;
-    if (size.maxCoeff(&worst) > s.limit && s.u_residuals[worst] > 0.0)
-        warn_of_outlier(c, worst, size[worst], problems);
+    const Index worst = worst_row(s);
+    const double size = std::abs(s.residuals[worst]) / std::max(s.u_residuals[worst], 1e-300);
+    if (size > s.limit && s.u_residuals[worst] > 0.0) warn_of_outlier(c, worst, size, problems);
     if (!(s.scatter > std::sqrt(chi_squared_quantile(0.99, freedom) / freedom))) return;
     Problem problem{
         .severity = Severity::warning,
@@ -375,7 +410,9 @@ private:
         s.covariance = unknowns * unknowns.transpose();
         s.residuals = residuals_of(c_, c_.solution, fitted(c_));
         const MatrixXd design = jacobian_of(c_, c_.solution, fitted(c_));
-        s.u_residuals = (from_inputs - design * unknowns).rowwise().norm();
+        const MatrixXd deviations = from_inputs - design * unknowns;
+        s.u_residuals = deviations.rowwise().norm();
+        s.alike = rows_alike(deviations, worst_row(s));
         const double expected = w_.cwiseProduct(s.u_residuals).squaredNorm();
         s.scatter = expected > 0.0 ? w_.cwiseProduct(s.residuals).norm() / std::sqrt(expected) : 0.0;
         const auto rows = static_cast<double>(s.residuals.size());
