@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/adjustment/adjustment.h"
 #include "core/evidence/plain_readings.h"
 #include "core/evidence/seen.h"
 
@@ -59,6 +60,8 @@ std::vector<GroupRow> rows_of_summaries(const GroupSetup& setup) {
 evidence::StatedFigure figure_within(const GroupSetup& setup) {
     return {.name = tell<"scatter within the groups">(),
             .unit = setup.unit.interval(),
+            .least = *setup.stated_within,
+            .most = *setup.stated_within,
             .source = group_fields().place(&StatedGroups::stated_within)};
 }
 
@@ -70,23 +73,32 @@ RedundantReadings described(const GroupSetup& setup, const std::vector<GroupRow>
         readings.names.push_back(rows[i].name);
     }
     readings.figures.push_back(figure_within(setup));
+    readings.figures.front().count = rows.size();
     return readings;
 }
 
-/// The means of the groups are unknowns.
+/// The means of the groups are unknowns, each of its own readings alone.
 RedundantReadings within_alone(const GroupSetup& setup, const std::vector<GroupRow>& rows) {
     RedundantReadings readings = described(setup, rows);
     const auto n = static_cast<Eigen::Index>(rows.size());
-    Eigen::MatrixXd design = Eigen::MatrixXd::Zero(n, static_cast<Eigen::Index>(setup.groups.size()));
+    std::vector<Eigen::Triplet<double>> design;
     Eigen::VectorXd u(n);
     for (Eigen::Index i = 0; i < n; ++i) {
         const GroupRow& row = rows[static_cast<std::size_t>(i)];
-        design(i, static_cast<Eigen::Index>(row.group)) = row.of_mean;
+        const Group& group = setup.groups[row.group];
         u[i] = row.within * *setup.stated_within;
+        if (row.of_mean != 0.0) {
+            design.emplace_back(i, static_cast<Eigen::Index>(row.group), row.of_mean);
+            readings.residuals[i] -= group.mean;
+        }
+        const double redundancy = row.within == 1.0 ? 1.0 - 1.0 / group.count : 0.0;
+        readings.w.push_back(redundancy > 0.0 ? readings.residuals[i] / (u[i] * std::sqrt(redundancy))
+                                              : std::numeric_limits<double>::quiet_NaN());
     }
+    readings.design.resize(n, static_cast<Eigen::Index>(setup.groups.size()));
+    readings.design.setFromTriplets(design.begin(), design.end());
+    readings.whitening = adjustment::whitening(u, {});
     readings.figure_of.assign(rows.size(), 0);
-    readings = evidence::readings_apart(std::move(readings), design, u);
-    readings.figures.front().least = readings.figures.front().most = *setup.stated_within;
     return readings;
 }
 
@@ -107,8 +119,6 @@ RedundantReadings within_and_between(const GroupSetup& setup, const std::vector<
                                 .most = *setup.stated_between,
                                 .count = setup.groups.size(),
                                 .source = group_fields().place(&StatedGroups::stated_between)});
-    readings.figures.front().least = readings.figures.front().most = *setup.stated_within;
-    readings.figures.front().count = rows.size();
     readings.shares = {std::move(within), std::move(between)};
     return evidence::readings_together(std::move(readings), design);
 }
@@ -119,7 +129,8 @@ std::shared_ptr<const RedundantReadings> redundant_readings(const GroupSetup& se
     if (!setup.stated_within) return nullptr;
     double observations = 0.0;
     for (const Group& group : setup.groups) observations += group.count;
-    if (observations > static_cast<double>(evidence::most_sharing_readings)) return nullptr;
+    const std::size_t most = setup.stated_between ? most_held_between : evidence::most_readings;
+    if (observations > static_cast<double>(most)) return nullptr;
     const std::vector<GroupRow> rows =
         setup.data == StatedGroups::Data::summary ? rows_of_summaries(setup) : rows_of_observations(setup);
     RedundantReadings readings =

@@ -5,7 +5,6 @@
 #include <map>
 
 #include "core/evidence/plain_readings.h"
-#include "core/evidence/seen.h"
 
 namespace covaria::network {
 
@@ -27,8 +26,7 @@ public:
 
     std::shared_ptr<const RedundantReadings> take() {
         const auto unknowns = static_cast<Eigen::Index>(3 * setup_.targets.size());
-        if (rows_ <= unknowns || rows_ > static_cast<Eigen::Index>(evidence::most_sharing_readings))
-            return nullptr;
+        if (rows_ <= unknowns || rows_ > static_cast<Eigen::Index>(most_joint_rows)) return nullptr;
         design_ = Eigen::MatrixXd::Zero(rows_, unknowns);
         others_ = Eigen::MatrixXd::Zero(rows_, systematic() + stations());
         described_.residuals.resize(rows_);

@@ -11,7 +11,7 @@ namespace covaria::network {
 /// Evidence of given readings, with targets and stations where these find them. A figure is what a sensor
 /// states of one kind of reading, and of all calibrated lengths; stations and deviations that readings share
 /// are not asked about. Null: the readings are not given, nothing is redundant, or they are more than
-/// `evidence::most_sharing_readings`.
+/// `most_joint_rows`: their matrices are full.
 std::shared_ptr<const evidence::RedundantReadings> sensor_evidence(const NetworkSetup& setup);
 
 }  // namespace covaria::network
