@@ -124,10 +124,10 @@ TEST(PlainCampaigns, OfSensors) {
     ASSERT_TRUE(planned) << network.words();
     SetupTable table;
     table.units = {Unit(), Unit(), Unit::of("mm"), Unit::of("rad"), Unit::of("rad")};
+    const std::pair<const char*, const char*> sensors[] = {
+        {"camera-1", "C1"}, {"camera-2", "C2"}, {"laser-tracker", "LT"}};
     for (const std::string& target : names)
-        for (const auto& [sensor, label] : {std::pair<const char*, const char*>{"camera-1", "C1"},
-                                            {"camera-2", "C2"},
-                                            {"laser-tracker", "LT"}}) {
+        for (const auto& [sensor, label] : sensors) {
             const auto cell = [&](const char* letter, double factor) -> SetupCell {
                 const std::size_t i = planned->inputs.find(std::string(letter) + "_" + target + "_" + label);
                 if (i == InputSet::npos) return {};

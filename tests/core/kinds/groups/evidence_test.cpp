@@ -2,11 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
+#include <optional>
 
 #include "core/evidence/seen.h"
 #include "core/kinds/registries.h"
 #include "core/model/asset.h"
-#include "core/setup/check_setup.h"
 
 namespace covaria::group_evidence_test {
 namespace {
