@@ -34,14 +34,14 @@ covaria::Setup& setup_of(Project& project, const std::string& analysis) {
     throw std::out_of_range(analysis);
 }
 
-/// `groups` groups of `each` observations that are all alike: what they are is drawn.
-Readings groups(std::size_t groups, std::size_t each, bool with_between) {
+/// `count` groups of `each` observations and, every other one, one more; what they read is drawn later.
+Readings groups(std::size_t count, std::size_t each, bool with_between) {
     covaria::Setup setup;
     SetupTable table;
     table.units.assign(2, Unit{});
-    for (std::size_t j = 0; j < groups; ++j)
+    for (std::size_t j = 0; j < count; ++j)
         for (std::size_t k = 0; k < each + j % 2; ++k)
-            table.rows.push_back({"day " + std::to_string(j), 1.0});
+            table.rows.push_back({"day " + std::to_string(j), double(k) + double(j % 3)});
     setup.values["observations"] = table;
     setup.values["stated_within"] = Quantity{2.0, Unit{}};
     if (with_between) setup.values["stated_between"] = Quantity{3.0, Unit{}};
