@@ -735,10 +735,6 @@
         <translation>Liefert die Wiederholpräzision, mit der der Roboter die Punkte anfährt; keiner: ein idealer Roboter.</translation>
     </message>
     <message>
-        <source>The tool centre point from a planned procedure or from measured points; or only the points as the ballbars measure them.</source>
-        <translation>Der Werkzeugmittelpunkt aus einem geplanten Verfahren oder aus gemessenen Punkten; oder nur die Punkte, wie die Kugelstäbe sie messen.</translation>
-    </message>
-    <message>
         <source>tool centre point, planned procedure</source>
         <translation>Werkzeugmittelpunkt, geplantes Verfahren</translation>
     </message>
@@ -19165,18 +19161,6 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
         <translation>Indexfehler</translation>
     </message>
     <message>
-        <source>residual Hz</source>
-        <translation>Residuum Hz</translation>
-    </message>
-    <message>
-        <source>residual V</source>
-        <translation>Residuum V</translation>
-    </message>
-    <message>
-        <source>index</source>
-        <translation>Index</translation>
-    </message>
-    <message>
         <source>theodolite</source>
         <translation>Theodolit</translation>
     </message>
@@ -19679,6 +19663,182 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     <message>
         <source>Residuals of the zenith angles</source>
         <translation>Residuen der Zenitwinkel</translation>
+    </message>
+    <message>
+        <source>And in further campaigns</source>
+        <translation>Und in weiteren Kampagnen</translation>
+    </message>
+    <message>
+        <source>Further networks that see the same figures. What several of them see is combined: their mean, with what it changes from one campaign to the next in its degrees of freedom (Paule and Mandel).</source>
+        <translation>Weitere Netze, die dieselben Angaben sehen. Was einige von ihnen von einer Angabe sehen, wird zusammengefasst: ihr Mittelwert, in dessen Freiheitsgrade eingeht, was sich von einer Kampagne zur nächsten ändert (Paule und Mandel).</translation>
+    </message>
+    <message>
+        <source>campaign</source>
+        <translation>Kampagne</translation>
+    </message>
+    <message>
+        <source>A network as above.</source>
+        <translation>Ein Netz wie oben.</translation>
+    </message>
+    <message>
+        <source>The tool centre point from a planned procedure or from measured points; or only the points as the ballbars measure them, at given places or by measured lengths.</source>
+        <translation>Der Werkzeugmittelpunkt aus einem geplanten Verfahren oder aus gemessenen Punkten; oder nur die Punkte, wie die Kugelstäbe sie messen, an gegebenen Orten oder aus gemessenen Längen.</translation>
+    </message>
+    <message>
+        <source>points alone, measured lengths</source>
+        <translation>nur Punkte, gemessene Längen</translation>
+    </message>
+    <message>
+        <source>Lengths</source>
+        <translation type="unfinished">Längen</translation>
+    </message>
+    <message>
+        <source>Lengths of the bars at each point, typed or from a CSV file. Those of more than three bars are adjusted, and their residuals tell their uncertainty.</source>
+        <translation>Längen der Stäbe an jedem Punkt, eingegeben oder aus einer CSV-Datei. Die von mehr als drei Stäben werden ausgeglichen, und ihre Residuen sagen, wie groß ihre Unsicherheit ist.</translation>
+    </message>
+    <message>
+        <source>Name of the point; it has a length of every bar.</source>
+        <translation>Name des Punktes; er hat eine Länge von jedem Stab.</translation>
+    </message>
+    <message>
+        <source>bar</source>
+        <translation>Stab</translation>
+    </message>
+    <message>
+        <source>Number of the bar, which is that of its support.</source>
+        <translation>Nummer des Stabs; sie ist die seines Auflagers.</translation>
+    </message>
+    <message>
+        <source>From the support to the ball, as read.</source>
+        <translation>Vom Auflager zur Kugel, wie abgelesen.</translation>
+    </message>
+    <message>
+        <source>Uncertainties of the lengths</source>
+        <translation>Unsicherheiten der Längen</translation>
+    </message>
+    <message>
+        <source>As the ballbars state them, or as the residuals of the lengths see them.</source>
+        <translation>Wie die Kugelstäbe sie angeben oder wie die Residuen der Längen sie sehen.</translation>
+    </message>
+    <message>
+        <source>Stated scatter</source>
+        <translation>Angegebene Streuung</translation>
+    </message>
+    <message>
+        <source>Within the groups</source>
+        <translation>Innerhalb der Gruppen</translation>
+    </message>
+    <message>
+        <source>Standard deviation of one observation, in the unit of the quantity, as a data sheet or a budget states it: the view Seen holds it against the observations. Empty: nothing is stated.</source>
+        <translation>Standardabweichung einer Beobachtung, in der Einheit der Größe, wie ein Datenblatt oder ein Budget sie angibt: Die Ansicht Gesehen hält sie gegen die Beobachtungen. Leer: Nichts ist angegeben.</translation>
+    </message>
+    <message>
+        <source>Between the groups</source>
+        <translation>Zwischen den Gruppen</translation>
+    </message>
+    <message>
+        <source>The same of the deviations that the observations of a group share. Empty: nothing is stated.</source>
+        <translation>Dasselbe für die Abweichungen, die die Beobachtungen einer Gruppe gemeinsam haben. Leer: Nichts ist angegeben.</translation>
+    </message>
+    <message>
+        <source>elevations</source>
+        <translation>Höhenwinkel</translation>
+    </message>
+    <message>
+        <source>%1; from one campaign to the next it changes by %2 %</source>
+        <translation>%1; von einer Kampagne zur nächsten ändert es sich um %2 %</translation>
+    </message>
+    <message>
+        <source>height of the point</source>
+        <translation>Höhe des Punktes</translation>
+    </message>
+    <message>
+        <source>bar %1, point %2</source>
+        <translation>Stab %1, Punkt %2</translation>
+    </message>
+    <message>
+        <source>readings of the bars</source>
+        <translation>Ablesungen der Stäbe</translation>
+    </message>
+    <message>
+        <source>lengths between supports</source>
+        <translation>Längen zwischen Auflagern</translation>
+    </message>
+    <message>
+        <source>heights of supports</source>
+        <translation>Höhen der Auflager</translation>
+    </message>
+    <message>
+        <source>constants of the bars</source>
+        <translation>Konstanten der Stäbe</translation>
+    </message>
+    <message>
+        <source>the lengths contradict each other by %1 times what their uncertainties allow (at most %2 by chance): look for a mistyped or exchanged length, or for figures of the ballbars that are too small</source>
+        <translation>die Längen widersprechen einander um das %1-Fache dessen, was ihre Unsicherheiten zulassen (zufällig höchstens %2): nach einer vertippten oder vertauschten Länge suchen oder nach zu kleinen Zahlen der Kugelstäbe</translation>
+    </message>
+    <message>
+        <source>there is no bar %1: the ballbars have %2 supports</source>
+        <translation>es gibt keinen Stab %1: die Kugelstäbe haben %2 Auflager</translation>
+    </message>
+    <message>
+        <source>point %1 has two lengths of bar %2</source>
+        <translation>Punkt %1 hat zwei Längen von Stab %2</translation>
+    </message>
+    <message>
+        <source>point %1 has no length of bar %2</source>
+        <translation>Punkt %1 hat keine Länge von Stab %2</translation>
+    </message>
+    <message>
+        <source>the lengths of the first three bars do not meet at point %1: look for a mistyped or exchanged length</source>
+        <translation>die Längen der ersten drei Stäbe treffen sich nicht an Punkt %1: nach einer vertippten oder vertauschten Länge suchen</translation>
+    </message>
+    <message>
+        <source>the %1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation>%1 und %2 weiteren</translation>
+    </message>
+    <message>
+        <source>%1. An error of it cannot be told apart from one of %2</source>
+        <translation>%1. Ein Fehler darin ist nicht zu trennen von einem in: %2</translation>
+    </message>
+    <message>
+        <source>%1, observation %2</source>
+        <translation>%1, Beobachtung %2</translation>
+    </message>
+    <message>
+        <source>mean of %1</source>
+        <translation>Mittelwert von %1</translation>
+    </message>
+    <message>
+        <source>%1, contrast %2</source>
+        <translation>%1, Kontrast %2</translation>
+    </message>
+    <message>
+        <source>scatter within the groups</source>
+        <translation>Streuung innerhalb der Gruppen</translation>
+    </message>
+    <message>
+        <source>scatter between the groups</source>
+        <translation>Streuung zwischen den Gruppen</translation>
+    </message>
+    <message>
+        <source>what is stated between the groups can only be held against the observations together with what is stated within them</source>
+        <translation>was zwischen den Gruppen angegeben ist, kann nur zusammen mit dem, was innerhalb von ihnen angegeben ist, gegen die Beobachtungen gehalten werden</translation>
+    </message>
+    <message>
+        <source>%1 in set %2 of series %3, %4</source>
+        <translation>%1 in Satz %2 der Reihe %3, %4</translation>
+    </message>
+    <message>
+        <source>order</source>
+        <translation>Reihenfolge</translation>
+    </message>
+    <message>
+        <source>Histogram of the residuals</source>
+        <translation>Histogramm der Residuen</translation>
     </message>
 </context>
 <context>
@@ -24244,6 +24404,26 @@ Verwendet von: %1. Dort steht ein Fehler, bis etwas anderes verwendet wird.</tra
     <message>
         <source>Go to Source</source>
         <translation>Zur Quelle</translation>
+    </message>
+    <message>
+        <source>What the residuals are drawn over</source>
+        <translation>Worüber die Residuen gezeichnet sind</translation>
+    </message>
+    <message>
+        <source>Distribution of the residuals</source>
+        <translation>Verteilung der Residuen</translation>
+    </message>
+    <message>
+        <source>Quantiles</source>
+        <translation>Quantile</translation>
+    </message>
+    <message>
+        <source>Histogram</source>
+        <translation>Histogramm</translation>
+    </message>
+    <message>
+        <source>Over: %1</source>
+        <translation>Über: %1</translation>
     </message>
 </context>
 <context>

@@ -735,10 +735,6 @@
         <translation>Da la repetibilidad con la que el robot va a los puntos; ninguno: un robot ideal.</translation>
     </message>
     <message>
-        <source>The tool centre point from a planned procedure or from measured points; or only the points as the ballbars measure them.</source>
-        <translation>El punto central de la herramienta a partir de un procedimiento planificado o de puntos medidos; o solo los puntos tal como los miden las barras de bolas.</translation>
-    </message>
-    <message>
         <source>tool centre point, planned procedure</source>
         <translation>punto central de la herramienta, procedimiento planificado</translation>
     </message>
@@ -19165,18 +19161,6 @@ nu 18 detrás de cualquiera de ellos: grados de libertad</translation>
         <translation>error de índice</translation>
     </message>
     <message>
-        <source>residual Hz</source>
-        <translation>residuo Hz</translation>
-    </message>
-    <message>
-        <source>residual V</source>
-        <translation>residuo V</translation>
-    </message>
-    <message>
-        <source>index</source>
-        <translation>índice</translation>
-    </message>
-    <message>
         <source>theodolite</source>
         <translation>teodolito</translation>
     </message>
@@ -19679,6 +19663,182 @@ nu 18 detrás de cualquiera de ellos: grados de libertad</translation>
     <message>
         <source>Residuals of the zenith angles</source>
         <translation>Residuos de los ángulos cenitales</translation>
+    </message>
+    <message>
+        <source>And in further campaigns</source>
+        <translation>Y en otras campañas</translation>
+    </message>
+    <message>
+        <source>Further networks that see the same figures. What several of them see is combined: their mean, with what it changes from one campaign to the next in its degrees of freedom (Paule and Mandel).</source>
+        <translation>Otras redes que observan las mismas cifras. Lo que varias observan de una cifra se combina: su media, en cuyos grados de libertad entra lo que cambia de una campaña a la siguiente (Paule y Mandel).</translation>
+    </message>
+    <message>
+        <source>campaign</source>
+        <translation>campaña</translation>
+    </message>
+    <message>
+        <source>A network as above.</source>
+        <translation>Una red como la anterior.</translation>
+    </message>
+    <message>
+        <source>The tool centre point from a planned procedure or from measured points; or only the points as the ballbars measure them, at given places or by measured lengths.</source>
+        <translation>El punto central de la herramienta a partir de un procedimiento planificado o de puntos medidos; o solo los puntos tal como los miden las barras de bolas, en lugares dados o a partir de longitudes medidas.</translation>
+    </message>
+    <message>
+        <source>points alone, measured lengths</source>
+        <translation>solo puntos, longitudes medidas</translation>
+    </message>
+    <message>
+        <source>Lengths</source>
+        <translation type="unfinished">Longitudes</translation>
+    </message>
+    <message>
+        <source>Lengths of the bars at each point, typed or from a CSV file. Those of more than three bars are adjusted, and their residuals tell their uncertainty.</source>
+        <translation>Longitudes de las barras en cada punto, tecleadas o de un archivo CSV. Las de más de tres barras se compensan, y sus residuos dicen su incertidumbre.</translation>
+    </message>
+    <message>
+        <source>Name of the point; it has a length of every bar.</source>
+        <translation>Nombre del punto; tiene una longitud de cada barra.</translation>
+    </message>
+    <message>
+        <source>bar</source>
+        <translation>barra</translation>
+    </message>
+    <message>
+        <source>Number of the bar, which is that of its support.</source>
+        <translation>Número de la barra, que es el de su soporte.</translation>
+    </message>
+    <message>
+        <source>From the support to the ball, as read.</source>
+        <translation>Del soporte a la bola, tal como se leyó.</translation>
+    </message>
+    <message>
+        <source>Uncertainties of the lengths</source>
+        <translation>Incertidumbres de las longitudes</translation>
+    </message>
+    <message>
+        <source>As the ballbars state them, or as the residuals of the lengths see them.</source>
+        <translation>Las que indican las barras de bolas, o las que ven los residuos de las longitudes.</translation>
+    </message>
+    <message>
+        <source>Stated scatter</source>
+        <translation>Dispersión indicada</translation>
+    </message>
+    <message>
+        <source>Within the groups</source>
+        <translation>Dentro de los grupos</translation>
+    </message>
+    <message>
+        <source>Standard deviation of one observation, in the unit of the quantity, as a data sheet or a budget states it: the view Seen holds it against the observations. Empty: nothing is stated.</source>
+        <translation>Desviación típica de una observación, en la unidad de la magnitud, como la indica una hoja de datos o un balance: la vista Observado la confronta con las observaciones. Vacío: no se indica nada.</translation>
+    </message>
+    <message>
+        <source>Between the groups</source>
+        <translation>Entre los grupos</translation>
+    </message>
+    <message>
+        <source>The same of the deviations that the observations of a group share. Empty: nothing is stated.</source>
+        <translation>Lo mismo para las desviaciones que comparten las observaciones de un grupo. Vacío: no se indica nada.</translation>
+    </message>
+    <message>
+        <source>elevations</source>
+        <translation>elevaciones</translation>
+    </message>
+    <message>
+        <source>%1; from one campaign to the next it changes by %2 %</source>
+        <translation>%1; de una campaña a la siguiente cambia en un %2 %</translation>
+    </message>
+    <message>
+        <source>height of the point</source>
+        <translation>altura del punto</translation>
+    </message>
+    <message>
+        <source>bar %1, point %2</source>
+        <translation>barra %1, punto %2</translation>
+    </message>
+    <message>
+        <source>readings of the bars</source>
+        <translation>lecturas de las barras</translation>
+    </message>
+    <message>
+        <source>lengths between supports</source>
+        <translation>longitudes entre soportes</translation>
+    </message>
+    <message>
+        <source>heights of supports</source>
+        <translation>alturas de los soportes</translation>
+    </message>
+    <message>
+        <source>constants of the bars</source>
+        <translation>constantes de las barras</translation>
+    </message>
+    <message>
+        <source>the lengths contradict each other by %1 times what their uncertainties allow (at most %2 by chance): look for a mistyped or exchanged length, or for figures of the ballbars that are too small</source>
+        <translation>las longitudes se contradicen en %1 veces lo que permiten sus incertidumbres (como máximo %2 por azar): busque una longitud mal escrita o intercambiada, o cifras de las barras de bolas demasiado pequeñas</translation>
+    </message>
+    <message>
+        <source>there is no bar %1: the ballbars have %2 supports</source>
+        <translation>no hay ninguna barra %1: las barras de bolas tienen %2 soportes</translation>
+    </message>
+    <message>
+        <source>point %1 has two lengths of bar %2</source>
+        <translation>el punto %1 tiene dos longitudes de la barra %2</translation>
+    </message>
+    <message>
+        <source>point %1 has no length of bar %2</source>
+        <translation>el punto %1 no tiene ninguna longitud de la barra %2</translation>
+    </message>
+    <message>
+        <source>the lengths of the first three bars do not meet at point %1: look for a mistyped or exchanged length</source>
+        <translation>las longitudes de las tres primeras barras no se cortan en el punto %1: busque una longitud mal escrita o intercambiada</translation>
+    </message>
+    <message>
+        <source>the %1 of %2</source>
+        <translation>la %1 de %2</translation>
+    </message>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation>%1 y %2 más</translation>
+    </message>
+    <message>
+        <source>%1. An error of it cannot be told apart from one of %2</source>
+        <translation>%1. Un error suyo no se puede distinguir de uno de %2</translation>
+    </message>
+    <message>
+        <source>%1, observation %2</source>
+        <translation>%1, observación %2</translation>
+    </message>
+    <message>
+        <source>mean of %1</source>
+        <translation>media de %1</translation>
+    </message>
+    <message>
+        <source>%1, contrast %2</source>
+        <translation>%1, contraste %2</translation>
+    </message>
+    <message>
+        <source>scatter within the groups</source>
+        <translation>dispersión dentro de los grupos</translation>
+    </message>
+    <message>
+        <source>scatter between the groups</source>
+        <translation>dispersión entre los grupos</translation>
+    </message>
+    <message>
+        <source>what is stated between the groups can only be held against the observations together with what is stated within them</source>
+        <translation>lo que se indica entre los grupos solo se puede confrontar con las observaciones junto con lo que se indica dentro de ellos</translation>
+    </message>
+    <message>
+        <source>%1 in set %2 of series %3, %4</source>
+        <translation>%1 en el conjunto %2 de la serie %3, %4</translation>
+    </message>
+    <message>
+        <source>order</source>
+        <translation>orden</translation>
+    </message>
+    <message>
+        <source>Histogram of the residuals</source>
+        <translation>Histograma de los residuos</translation>
     </message>
 </context>
 <context>
@@ -24244,6 +24404,26 @@ Lo usan: %1. Tendrán un error hasta que usen otra cosa.</translation>
     <message>
         <source>Go to Source</source>
         <translation>Ir al origen</translation>
+    </message>
+    <message>
+        <source>What the residuals are drawn over</source>
+        <translation>En función de qué se dibujan los residuos</translation>
+    </message>
+    <message>
+        <source>Distribution of the residuals</source>
+        <translation>Distribución de los residuos</translation>
+    </message>
+    <message>
+        <source>Quantiles</source>
+        <translation>Cuantiles</translation>
+    </message>
+    <message>
+        <source>Histogram</source>
+        <translation>Histograma</translation>
+    </message>
+    <message>
+        <source>Over: %1</source>
+        <translation>En función de: %1</translation>
     </message>
 </context>
 <context>

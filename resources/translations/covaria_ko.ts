@@ -734,10 +734,6 @@
         <translation>로봇이 점으로 가는 반복성을 줍니다. 없음: 이상적인 로봇.</translation>
     </message>
     <message>
-        <source>The tool centre point from a planned procedure or from measured points; or only the points as the ballbars measure them.</source>
-        <translation>계획된 절차나 측정점에서 구한 공구 중심점, 또는 볼바가 측정한 점만.</translation>
-    </message>
-    <message>
         <source>tool centre point, planned procedure</source>
         <translation>공구 중심점, 계획된 절차</translation>
     </message>
@@ -19164,18 +19160,6 @@ sample 1; 2; 3 weights 2; 5; 2 (그대로 뽑음), histogram 0; 1; 2 weights 5; 
         <translation>지표 오차</translation>
     </message>
     <message>
-        <source>residual Hz</source>
-        <translation>잔차 Hz</translation>
-    </message>
-    <message>
-        <source>residual V</source>
-        <translation>잔차 V</translation>
-    </message>
-    <message>
-        <source>index</source>
-        <translation>지표 오차</translation>
-    </message>
-    <message>
         <source>theodolite</source>
         <translation>데오돌라이트</translation>
     </message>
@@ -19678,6 +19662,182 @@ sample 1; 2; 3 weights 2; 5; 2 (그대로 뽑음), histogram 0; 1; 2 weights 5; 
     <message>
         <source>Residuals of the zenith angles</source>
         <translation>천정각의 잔차</translation>
+    </message>
+    <message>
+        <source>And in further campaigns</source>
+        <translation>그 밖의 측정</translation>
+    </message>
+    <message>
+        <source>Further networks that see the same figures. What several of them see is combined: their mean, with what it changes from one campaign to the next in its degrees of freedom (Paule and Mandel).</source>
+        <translation>같은 수치가 드러나는 그 밖의 망. 여럿에서 드러난 것은 합성합니다. 그 평균을 쓰며, 한 측정에서 다음 측정으로 변하는 정도를 자유도에 반영합니다(Paule과 Mandel).</translation>
+    </message>
+    <message>
+        <source>campaign</source>
+        <translation>측정</translation>
+    </message>
+    <message>
+        <source>A network as above.</source>
+        <translation>위와 같은 망.</translation>
+    </message>
+    <message>
+        <source>The tool centre point from a planned procedure or from measured points; or only the points as the ballbars measure them, at given places or by measured lengths.</source>
+        <translation>계획된 절차나 측정점에서 구한 공구 중심점, 또는 볼바가 측정하는 점만(지정한 위치에서나 측정된 길이로).</translation>
+    </message>
+    <message>
+        <source>points alone, measured lengths</source>
+        <translation>점만, 측정된 길이</translation>
+    </message>
+    <message>
+        <source>Lengths</source>
+        <translation type="unfinished">길이</translation>
+    </message>
+    <message>
+        <source>Lengths of the bars at each point, typed or from a CSV file. Those of more than three bars are adjusted, and their residuals tell their uncertainty.</source>
+        <translation>각 점에서의 볼바의 길이. 직접 입력하거나 CSV 파일에서 읽습니다. 볼바가 세 개보다 많으면 길이를 조정하며, 그 잔차가 길이의 불확도를 알려 줍니다.</translation>
+    </message>
+    <message>
+        <source>Name of the point; it has a length of every bar.</source>
+        <translation>점의 이름. 점마다 모든 볼바의 길이가 있습니다.</translation>
+    </message>
+    <message>
+        <source>bar</source>
+        <translation>볼바</translation>
+    </message>
+    <message>
+        <source>Number of the bar, which is that of its support.</source>
+        <translation>볼바의 번호. 그 지지점의 번호와 같습니다.</translation>
+    </message>
+    <message>
+        <source>From the support to the ball, as read.</source>
+        <translation>지지점에서 볼까지, 읽은 그대로.</translation>
+    </message>
+    <message>
+        <source>Uncertainties of the lengths</source>
+        <translation>길이의 불확도</translation>
+    </message>
+    <message>
+        <source>As the ballbars state them, or as the residuals of the lengths see them.</source>
+        <translation>볼바에 제시된 대로, 또는 길이의 잔차에서 드러난 대로.</translation>
+    </message>
+    <message>
+        <source>Stated scatter</source>
+        <translation>제시된 산포</translation>
+    </message>
+    <message>
+        <source>Within the groups</source>
+        <translation>그룹 내</translation>
+    </message>
+    <message>
+        <source>Standard deviation of one observation, in the unit of the quantity, as a data sheet or a budget states it: the view Seen holds it against the observations. Empty: nothing is stated.</source>
+        <translation>관측값 하나의 표준편차, 그 양의 단위로. 사양서나 총괄표에 제시된 값이며, 드러난 값 보기에서 관측값과 비교합니다. 비어 있으면 제시된 것이 없습니다.</translation>
+    </message>
+    <message>
+        <source>Between the groups</source>
+        <translation>그룹 간</translation>
+    </message>
+    <message>
+        <source>The same of the deviations that the observations of a group share. Empty: nothing is stated.</source>
+        <translation>한 그룹의 관측값이 공유하는 편차에 대한 같은 값. 비어 있으면 제시된 것이 없습니다.</translation>
+    </message>
+    <message>
+        <source>elevations</source>
+        <translation>고도각</translation>
+    </message>
+    <message>
+        <source>%1; from one campaign to the next it changes by %2 %</source>
+        <translation>%1. 한 측정에서 다음 측정으로 %2 %만큼 변합니다</translation>
+    </message>
+    <message>
+        <source>height of the point</source>
+        <translation>점의 높이</translation>
+    </message>
+    <message>
+        <source>bar %1, point %2</source>
+        <translation>볼바 %1, 점 %2</translation>
+    </message>
+    <message>
+        <source>readings of the bars</source>
+        <translation>볼바의 읽음값</translation>
+    </message>
+    <message>
+        <source>lengths between supports</source>
+        <translation>지지점 사이의 길이</translation>
+    </message>
+    <message>
+        <source>heights of supports</source>
+        <translation>지지점의 높이</translation>
+    </message>
+    <message>
+        <source>constants of the bars</source>
+        <translation>볼바의 상수</translation>
+    </message>
+    <message>
+        <source>the lengths contradict each other by %1 times what their uncertainties allow (at most %2 by chance): look for a mistyped or exchanged length, or for figures of the ballbars that are too small</source>
+        <translation>길이들이 불확도가 허용하는 것의 %1배로 서로 모순됩니다(우연히는 많아야 %2배). 잘못 입력했거나 바뀐 길이, 또는 볼바의 너무 작은 수치를 찾으십시오</translation>
+    </message>
+    <message>
+        <source>there is no bar %1: the ballbars have %2 supports</source>
+        <translation>볼바 %1이(가) 없습니다. 볼바의 지지점은 %2개입니다</translation>
+    </message>
+    <message>
+        <source>point %1 has two lengths of bar %2</source>
+        <translation>점 %1에 볼바 %2의 길이가 두 개 있습니다</translation>
+    </message>
+    <message>
+        <source>point %1 has no length of bar %2</source>
+        <translation>점 %1에 볼바 %2의 길이가 없습니다</translation>
+    </message>
+    <message>
+        <source>the lengths of the first three bars do not meet at point %1: look for a mistyped or exchanged length</source>
+        <translation>처음 세 볼바의 길이가 점 %1에서 만나지 않습니다. 잘못 입력했거나 바뀐 길이를 찾으십시오</translation>
+    </message>
+    <message>
+        <source>the %1 of %2</source>
+        <translation>%2의 %1</translation>
+    </message>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation>%1 외 %2개</translation>
+    </message>
+    <message>
+        <source>%1. An error of it cannot be told apart from one of %2</source>
+        <translation>%1. 그 오차는 %2의 오차와 구별할 수 없습니다</translation>
+    </message>
+    <message>
+        <source>%1, observation %2</source>
+        <translation>%1, 관측값 %2</translation>
+    </message>
+    <message>
+        <source>mean of %1</source>
+        <translation>%1의 평균</translation>
+    </message>
+    <message>
+        <source>%1, contrast %2</source>
+        <translation>%1, 대비 %2</translation>
+    </message>
+    <message>
+        <source>scatter within the groups</source>
+        <translation>그룹 내 산포</translation>
+    </message>
+    <message>
+        <source>scatter between the groups</source>
+        <translation>그룹 간 산포</translation>
+    </message>
+    <message>
+        <source>what is stated between the groups can only be held against the observations together with what is stated within them</source>
+        <translation>그룹 간에 제시된 것은 그룹 내에 제시된 것과 함께여야만 관측값과 비교할 수 있습니다</translation>
+    </message>
+    <message>
+        <source>%1 in set %2 of series %3, %4</source>
+        <translation>%1, 계열 %3의 대회 %2, %4</translation>
+    </message>
+    <message>
+        <source>order</source>
+        <translation>순서</translation>
+    </message>
+    <message>
+        <source>Histogram of the residuals</source>
+        <translation>잔차의 히스토그램</translation>
     </message>
 </context>
 <context>
@@ -24240,6 +24400,26 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>Go to Source</source>
         <translation>출처로 이동</translation>
+    </message>
+    <message>
+        <source>What the residuals are drawn over</source>
+        <translation>잔차를 무엇에 대하여 그릴지</translation>
+    </message>
+    <message>
+        <source>Distribution of the residuals</source>
+        <translation>잔차의 분포</translation>
+    </message>
+    <message>
+        <source>Quantiles</source>
+        <translation>분위수</translation>
+    </message>
+    <message>
+        <source>Histogram</source>
+        <translation>히스토그램</translation>
+    </message>
+    <message>
+        <source>Over: %1</source>
+        <translation>가로축: %1</translation>
     </message>
 </context>
 <context>

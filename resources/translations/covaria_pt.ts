@@ -735,10 +735,6 @@
         <translation>Fornece a repetibilidade com que o robô vai aos pontos; nenhum: um robô ideal.</translation>
     </message>
     <message>
-        <source>The tool centre point from a planned procedure or from measured points; or only the points as the ballbars measure them.</source>
-        <translation>O ponto central da ferramenta por um procedimento planejado ou por pontos medidos; ou só os pontos como os ballbars os medem.</translation>
-    </message>
-    <message>
         <source>tool centre point, planned procedure</source>
         <translation>ponto central da ferramenta, procedimento planejado</translation>
     </message>
@@ -19165,18 +19161,6 @@ nu 18 atrás de qualquer um deles: graus de liberdade</translation>
         <translation>erro de índice</translation>
     </message>
     <message>
-        <source>residual Hz</source>
-        <translation>resíduo Hz</translation>
-    </message>
-    <message>
-        <source>residual V</source>
-        <translation>resíduo V</translation>
-    </message>
-    <message>
-        <source>index</source>
-        <translation>índice</translation>
-    </message>
-    <message>
         <source>theodolite</source>
         <translation>teodolito</translation>
     </message>
@@ -19679,6 +19663,182 @@ nu 18 atrás de qualquer um deles: graus de liberdade</translation>
     <message>
         <source>Residuals of the zenith angles</source>
         <translation>Resíduos dos ângulos zenitais</translation>
+    </message>
+    <message>
+        <source>And in further campaigns</source>
+        <translation>E em outras campanhas</translation>
+    </message>
+    <message>
+        <source>Further networks that see the same figures. What several of them see is combined: their mean, with what it changes from one campaign to the next in its degrees of freedom (Paule and Mandel).</source>
+        <translation>Outras redes que observam os mesmos números. O que várias observam de um número é combinado: sua média, em cujos graus de liberdade entra o que muda de uma campanha à seguinte (Paule e Mandel).</translation>
+    </message>
+    <message>
+        <source>campaign</source>
+        <translation>campanha</translation>
+    </message>
+    <message>
+        <source>A network as above.</source>
+        <translation>Uma rede como acima.</translation>
+    </message>
+    <message>
+        <source>The tool centre point from a planned procedure or from measured points; or only the points as the ballbars measure them, at given places or by measured lengths.</source>
+        <translation>O ponto central da ferramenta a partir de um procedimento planejado ou de pontos medidos; ou só os pontos como os ballbars os medem, em lugares dados ou a partir de comprimentos medidos.</translation>
+    </message>
+    <message>
+        <source>points alone, measured lengths</source>
+        <translation>só pontos, comprimentos medidos</translation>
+    </message>
+    <message>
+        <source>Lengths</source>
+        <translation type="unfinished">Comprimentos</translation>
+    </message>
+    <message>
+        <source>Lengths of the bars at each point, typed or from a CSV file. Those of more than three bars are adjusted, and their residuals tell their uncertainty.</source>
+        <translation>Comprimentos dos ballbars em cada ponto, digitados ou de um arquivo CSV. Os de mais de três ballbars são ajustados, e seus resíduos dizem sua incerteza.</translation>
+    </message>
+    <message>
+        <source>Name of the point; it has a length of every bar.</source>
+        <translation>Nome do ponto; ele tem um comprimento de cada ballbar.</translation>
+    </message>
+    <message>
+        <source>bar</source>
+        <translation>ballbar</translation>
+    </message>
+    <message>
+        <source>Number of the bar, which is that of its support.</source>
+        <translation>Número do ballbar, que é o de seu suporte.</translation>
+    </message>
+    <message>
+        <source>From the support to the ball, as read.</source>
+        <translation>Do suporte à esfera-alvo, como lido.</translation>
+    </message>
+    <message>
+        <source>Uncertainties of the lengths</source>
+        <translation>Incertezas dos comprimentos</translation>
+    </message>
+    <message>
+        <source>As the ballbars state them, or as the residuals of the lengths see them.</source>
+        <translation>Como os ballbars as declaram, ou como as mostram os resíduos dos comprimentos.</translation>
+    </message>
+    <message>
+        <source>Stated scatter</source>
+        <translation>Dispersão declarada</translation>
+    </message>
+    <message>
+        <source>Within the groups</source>
+        <translation>Dentro dos grupos</translation>
+    </message>
+    <message>
+        <source>Standard deviation of one observation, in the unit of the quantity, as a data sheet or a budget states it: the view Seen holds it against the observations. Empty: nothing is stated.</source>
+        <translation>Desvio-padrão de uma observação, na unidade da grandeza, como o declara uma folha de dados ou um balanço: a vista Observado o confronta com as observações. Vazio: nada é declarado.</translation>
+    </message>
+    <message>
+        <source>Between the groups</source>
+        <translation>Entre os grupos</translation>
+    </message>
+    <message>
+        <source>The same of the deviations that the observations of a group share. Empty: nothing is stated.</source>
+        <translation>O mesmo para os desvios que as observações de um grupo compartilham. Vazio: nada é declarado.</translation>
+    </message>
+    <message>
+        <source>elevations</source>
+        <translation>elevações</translation>
+    </message>
+    <message>
+        <source>%1; from one campaign to the next it changes by %2 %</source>
+        <translation>%1; de uma campanha à seguinte muda em %2 %</translation>
+    </message>
+    <message>
+        <source>height of the point</source>
+        <translation>altura do ponto</translation>
+    </message>
+    <message>
+        <source>bar %1, point %2</source>
+        <translation>ballbar %1, ponto %2</translation>
+    </message>
+    <message>
+        <source>readings of the bars</source>
+        <translation>leituras dos ballbars</translation>
+    </message>
+    <message>
+        <source>lengths between supports</source>
+        <translation>comprimentos entre suportes</translation>
+    </message>
+    <message>
+        <source>heights of supports</source>
+        <translation>alturas dos suportes</translation>
+    </message>
+    <message>
+        <source>constants of the bars</source>
+        <translation>constantes dos ballbars</translation>
+    </message>
+    <message>
+        <source>the lengths contradict each other by %1 times what their uncertainties allow (at most %2 by chance): look for a mistyped or exchanged length, or for figures of the ballbars that are too small</source>
+        <translation>os comprimentos se contradizem em %1 vezes o que suas incertezas permitem (no máximo %2 por acaso): procure um comprimento mal digitado ou trocado, ou números dos ballbars pequenos demais</translation>
+    </message>
+    <message>
+        <source>there is no bar %1: the ballbars have %2 supports</source>
+        <translation>não há ballbar %1: os ballbars têm %2 suportes</translation>
+    </message>
+    <message>
+        <source>point %1 has two lengths of bar %2</source>
+        <translation>o ponto %1 tem dois comprimentos do ballbar %2</translation>
+    </message>
+    <message>
+        <source>point %1 has no length of bar %2</source>
+        <translation>o ponto %1 não tem comprimento do ballbar %2</translation>
+    </message>
+    <message>
+        <source>the lengths of the first three bars do not meet at point %1: look for a mistyped or exchanged length</source>
+        <translation>os comprimentos dos três primeiros ballbars não se encontram no ponto %1: procure um comprimento mal digitado ou trocado</translation>
+    </message>
+    <message>
+        <source>the %1 of %2</source>
+        <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation>%1 e mais %2</translation>
+    </message>
+    <message>
+        <source>%1. An error of it cannot be told apart from one of %2</source>
+        <translation>%1. Um erro nele não pode ser distinguido de um em: %2</translation>
+    </message>
+    <message>
+        <source>%1, observation %2</source>
+        <translation>%1, observação %2</translation>
+    </message>
+    <message>
+        <source>mean of %1</source>
+        <translation>média de %1</translation>
+    </message>
+    <message>
+        <source>%1, contrast %2</source>
+        <translation>%1, contraste %2</translation>
+    </message>
+    <message>
+        <source>scatter within the groups</source>
+        <translation>dispersão dentro dos grupos</translation>
+    </message>
+    <message>
+        <source>scatter between the groups</source>
+        <translation>dispersão entre os grupos</translation>
+    </message>
+    <message>
+        <source>what is stated between the groups can only be held against the observations together with what is stated within them</source>
+        <translation>o que se declara entre os grupos só pode ser confrontado com as observações junto com o que se declara dentro deles</translation>
+    </message>
+    <message>
+        <source>%1 in set %2 of series %3, %4</source>
+        <translation>%1 no conjunto %2 da série %3, %4</translation>
+    </message>
+    <message>
+        <source>order</source>
+        <translation>ordem</translation>
+    </message>
+    <message>
+        <source>Histogram of the residuals</source>
+        <translation>Histograma dos resíduos</translation>
     </message>
 </context>
 <context>
@@ -24244,6 +24404,26 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>Go to Source</source>
         <translation>Ir para a origem</translation>
+    </message>
+    <message>
+        <source>What the residuals are drawn over</source>
+        <translation>Em função de que são traçados os resíduos</translation>
+    </message>
+    <message>
+        <source>Distribution of the residuals</source>
+        <translation>Distribuição dos resíduos</translation>
+    </message>
+    <message>
+        <source>Quantiles</source>
+        <translation>Quantis</translation>
+    </message>
+    <message>
+        <source>Histogram</source>
+        <translation>Histograma</translation>
+    </message>
+    <message>
+        <source>Over: %1</source>
+        <translation>Em função de: %1</translation>
     </message>
 </context>
 <context>

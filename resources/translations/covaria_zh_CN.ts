@@ -734,10 +734,6 @@
         <translation>给出机器人到达各点的重复性；无：理想机器人。</translation>
     </message>
     <message>
-        <source>The tool centre point from a planned procedure or from measured points; or only the points as the ballbars measure them.</source>
-        <translation>按计划程序或实测点求工具中心点；或仅求球杆仪所测的点。</translation>
-    </message>
-    <message>
         <source>tool centre point, planned procedure</source>
         <translation>工具中心点，计划程序</translation>
     </message>
@@ -19164,18 +19160,6 @@ sample 1; 2; 3 weights 2; 5; 2（按原样抽取），histogram 0; 1; 2 weights 
         <translation>指标差</translation>
     </message>
     <message>
-        <source>residual Hz</source>
-        <translation>残差 Hz</translation>
-    </message>
-    <message>
-        <source>residual V</source>
-        <translation>残差 V</translation>
-    </message>
-    <message>
-        <source>index</source>
-        <translation>指标差</translation>
-    </message>
-    <message>
         <source>theodolite</source>
         <translation>经纬仪</translation>
     </message>
@@ -19678,6 +19662,182 @@ sample 1; 2; 3 weights 2; 5; 2（按原样抽取），histogram 0; 1; 2 weights 
     <message>
         <source>Residuals of the zenith angles</source>
         <translation>天顶距的残差</translation>
+    </message>
+    <message>
+        <source>And in further campaigns</source>
+        <translation>以及其他测试</translation>
+    </message>
+    <message>
+        <source>Further networks that see the same figures. What several of them see is combined: their mean, with what it changes from one campaign to the next in its degrees of freedom (Paule and Mandel).</source>
+        <translation>可见相同指标的其他网。多个网对同一指标的所见值合并：取其平均值，各次测试之间的变化计入其自由度（Paule 和 Mandel）。</translation>
+    </message>
+    <message>
+        <source>campaign</source>
+        <translation>测试</translation>
+    </message>
+    <message>
+        <source>A network as above.</source>
+        <translation>与上面相同的网。</translation>
+    </message>
+    <message>
+        <source>The tool centre point from a planned procedure or from measured points; or only the points as the ballbars measure them, at given places or by measured lengths.</source>
+        <translation>按计划程序或实测点求工具中心点；或仅求球杆仪所测的点，在给定位置或按实测长度。</translation>
+    </message>
+    <message>
+        <source>points alone, measured lengths</source>
+        <translation>仅点，实测长度</translation>
+    </message>
+    <message>
+        <source>Lengths</source>
+        <translation type="unfinished">长度</translation>
+    </message>
+    <message>
+        <source>Lengths of the bars at each point, typed or from a CSV file. Those of more than three bars are adjusted, and their residuals tell their uncertainty.</source>
+        <translation>各点处各球杆仪的长度，手工输入或来自 CSV 文件。多于三个球杆仪的长度进行平差，其残差说明长度的不确定度。</translation>
+    </message>
+    <message>
+        <source>Name of the point; it has a length of every bar.</source>
+        <translation>点的名称；每个点有每个球杆仪的长度。</translation>
+    </message>
+    <message>
+        <source>bar</source>
+        <translation>球杆仪</translation>
+    </message>
+    <message>
+        <source>Number of the bar, which is that of its support.</source>
+        <translation>球杆仪的编号，即其支座的编号。</translation>
+    </message>
+    <message>
+        <source>From the support to the ball, as read.</source>
+        <translation>从支座到球，按读取的原样。</translation>
+    </message>
+    <message>
+        <source>Uncertainties of the lengths</source>
+        <translation>长度的不确定度</translation>
+    </message>
+    <message>
+        <source>As the ballbars state them, or as the residuals of the lengths see them.</source>
+        <translation>按球杆仪的给出值，或按长度的残差所见的值。</translation>
+    </message>
+    <message>
+        <source>Stated scatter</source>
+        <translation>给出的分散性</translation>
+    </message>
+    <message>
+        <source>Within the groups</source>
+        <translation>组内</translation>
+    </message>
+    <message>
+        <source>Standard deviation of one observation, in the unit of the quantity, as a data sheet or a budget states it: the view Seen holds it against the observations. Empty: nothing is stated.</source>
+        <translation>单次观测的标准偏差，以该量的单位表示，如数据表或预算所给出：所见视图将其与观测值对照。留空：未给出。</translation>
+    </message>
+    <message>
+        <source>Between the groups</source>
+        <translation>组间</translation>
+    </message>
+    <message>
+        <source>The same of the deviations that the observations of a group share. Empty: nothing is stated.</source>
+        <translation>一组的各观测所共有的偏差的同类值。留空：未给出。</translation>
+    </message>
+    <message>
+        <source>elevations</source>
+        <translation>俯仰角</translation>
+    </message>
+    <message>
+        <source>%1; from one campaign to the next it changes by %2 %</source>
+        <translation>%1；各次测试之间的变化为 %2 %</translation>
+    </message>
+    <message>
+        <source>height of the point</source>
+        <translation>点的高度</translation>
+    </message>
+    <message>
+        <source>bar %1, point %2</source>
+        <translation>球杆仪 %1，点 %2</translation>
+    </message>
+    <message>
+        <source>readings of the bars</source>
+        <translation>球杆仪的读数</translation>
+    </message>
+    <message>
+        <source>lengths between supports</source>
+        <translation>支座之间的长度</translation>
+    </message>
+    <message>
+        <source>heights of supports</source>
+        <translation>支座的高度</translation>
+    </message>
+    <message>
+        <source>constants of the bars</source>
+        <translation>球杆仪的常数</translation>
+    </message>
+    <message>
+        <source>the lengths contradict each other by %1 times what their uncertainties allow (at most %2 by chance): look for a mistyped or exchanged length, or for figures of the ballbars that are too small</source>
+        <translation>各长度互相矛盾，达到其不确定度所允许的 %1 倍（偶然情况下至多 %2）：请查找误输或对调的长度，或过小的球杆仪数值</translation>
+    </message>
+    <message>
+        <source>there is no bar %1: the ballbars have %2 supports</source>
+        <translation>没有球杆仪 %1：球杆仪共有 %2 个支座</translation>
+    </message>
+    <message>
+        <source>point %1 has two lengths of bar %2</source>
+        <translation>点 %1 有球杆仪 %2 的两个长度</translation>
+    </message>
+    <message>
+        <source>point %1 has no length of bar %2</source>
+        <translation>点 %1 没有球杆仪 %2 的长度</translation>
+    </message>
+    <message>
+        <source>the lengths of the first three bars do not meet at point %1: look for a mistyped or exchanged length</source>
+        <translation>前三个球杆仪的长度在点 %1 处不相交：请查找误输或对调的长度</translation>
+    </message>
+    <message>
+        <source>the %1 of %2</source>
+        <translation>%2 的 %1</translation>
+    </message>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation>%1 及另外 %2 个</translation>
+    </message>
+    <message>
+        <source>%1. An error of it cannot be told apart from one of %2</source>
+        <translation>%1。其误差无法与 %2 的误差区分</translation>
+    </message>
+    <message>
+        <source>%1, observation %2</source>
+        <translation>%1，观测 %2</translation>
+    </message>
+    <message>
+        <source>mean of %1</source>
+        <translation>%1 的平均值</translation>
+    </message>
+    <message>
+        <source>%1, contrast %2</source>
+        <translation>%1，对比 %2</translation>
+    </message>
+    <message>
+        <source>scatter within the groups</source>
+        <translation>组内的分散性</translation>
+    </message>
+    <message>
+        <source>scatter between the groups</source>
+        <translation>组间的分散性</translation>
+    </message>
+    <message>
+        <source>what is stated between the groups can only be held against the observations together with what is stated within them</source>
+        <translation>组间的给出值只能与组内的给出值一起同观测值对照</translation>
+    </message>
+    <message>
+        <source>%1 in set %2 of series %3, %4</source>
+        <translation>系列 %3 的测回 %2 中的 %1，%4</translation>
+    </message>
+    <message>
+        <source>order</source>
+        <translation>顺序</translation>
+    </message>
+    <message>
+        <source>Histogram of the residuals</source>
+        <translation>残差的直方图</translation>
     </message>
 </context>
 <context>
@@ -24240,6 +24400,26 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>Go to Source</source>
         <translation>转到来源</translation>
+    </message>
+    <message>
+        <source>What the residuals are drawn over</source>
+        <translation>残差相对于什么绘制</translation>
+    </message>
+    <message>
+        <source>Distribution of the residuals</source>
+        <translation>残差的分布</translation>
+    </message>
+    <message>
+        <source>Quantiles</source>
+        <translation>分位数</translation>
+    </message>
+    <message>
+        <source>Histogram</source>
+        <translation>直方图</translation>
+    </message>
+    <message>
+        <source>Over: %1</source>
+        <translation>横坐标：%1</translation>
     </message>
 </context>
 <context>
