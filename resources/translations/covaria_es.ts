@@ -19690,7 +19690,7 @@ nu 18 detrás de cualquiera de ellos: grados de libertad</translation>
     </message>
     <message>
         <source>Lengths</source>
-        <translation type="unfinished">Longitudes</translation>
+        <translation>Longitudes</translation>
     </message>
     <message>
         <source>Lengths of the bars at each point, typed or from a CSV file. Those of more than three bars are adjusted, and their residuals tell their uncertainty.</source>

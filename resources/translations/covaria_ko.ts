@@ -19689,7 +19689,7 @@ sample 1; 2; 3 weights 2; 5; 2 (그대로 뽑음), histogram 0; 1; 2 weights 5; 
     </message>
     <message>
         <source>Lengths</source>
-        <translation type="unfinished">길이</translation>
+        <translation>길이</translation>
     </message>
     <message>
         <source>Lengths of the bars at each point, typed or from a CSV file. Those of more than three bars are adjusted, and their residuals tell their uncertainty.</source>

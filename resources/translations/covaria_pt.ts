@@ -19690,7 +19690,7 @@ nu 18 atrás de qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>Lengths</source>
-        <translation type="unfinished">Comprimentos</translation>
+        <translation>Comprimentos</translation>
     </message>
     <message>
         <source>Lengths of the bars at each point, typed or from a CSV file. Those of more than three bars are adjusted, and their residuals tell their uncertainty.</source>

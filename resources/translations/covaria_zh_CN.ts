@@ -19689,7 +19689,7 @@ sample 1; 2; 3 weights 2; 5; 2（按原样抽取），histogram 0; 1; 2 weights 
     </message>
     <message>
         <source>Lengths</source>
-        <translation type="unfinished">长度</translation>
+        <translation>长度</translation>
     </message>
     <message>
         <source>Lengths of the bars at each point, typed or from a CSV file. Those of more than three bars are adjusted, and their residuals tell their uncertainty.</source>

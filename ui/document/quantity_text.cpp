@@ -97,7 +97,7 @@ std::optional<ConciseText> concise_parts(const QString& text) {
     static const QRegularExpression spaces(QStringLiteral("(?<=\\d)[ \u00a0\u202f\u2009](?=\\d)"));
     static const QRegularExpression pattern(
         QStringLiteral("^([+\\-−]?)(\\d+)([.,]?)(\\d*)\\((\\d+)(?:([.,])(\\d+))?\\)((?:[eE][+\\-−]?\\d+|×10["
-                       "⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)?)\\s*(\\S.*)?$"));
+                       "⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)?)\\s*([^\\s(].*)?$"));
     const QRegularExpressionMatch match = pattern.match(QString(text.trimmed()).remove(spaces));
     if (!match.hasMatch()) return std::nullopt;
     const QString sign = match.captured(3), decimals = match.captured(4), power = match.captured(8);

@@ -253,7 +253,8 @@ std::vector<Broken> mistyped() {
              std::swap(s.points[0].p, s.points[2].p);
              return s;
          },
-         {"the readings agree if the coordinates of A and C are exchanged"}},
+         {"distance A – B by coordinates and the sights of both from S closes with",
+          "distance A – B by coordinates and the sights of both from T closes with"}},
         {"gon read as degrees",
          [] {
              S s = hall(fixed, {}).stated;
