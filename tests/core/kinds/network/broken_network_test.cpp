@@ -65,20 +65,6 @@ std::vector<Broken> undetermined() {
          },
          {"where the whole network is along x", "where the whole network is along y",
           "nothing tells the height of the whole network", "the whole network may turn about the vertical"}},
-        {"an instrument whose zero and scale see one length",
-         [] {
-             StatedAdjustment s = plane(2, {}, {level_distance, direction}).stated;
-             for (StatedAdjustment::Reading& r : s.readings)
-                 if (r.from == "A" && r.to == "B" && r.length) r.instrument = "T";
-             for (const FigureKind kind : {FigureKind::zero, FigureKind::scale}) {
-                 StatedAdjustment::Figure figure;
-                 figure.instrument = "T";
-                 figure.kind = kind;
-                 s.figures.push_back(figure);
-             }
-             return s;
-         },
-         {"the readings cannot tell the zero of T and the scale of T apart"}},
         {"a point that nobody read",
          [] {
              TrueNetwork net = plane(2, {}, {level_distance, direction});
