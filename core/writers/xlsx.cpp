@@ -143,6 +143,45 @@ int write_trials(XlsxBook& book, int row, const OutputResult& output, std::uint6
     return row;
 }
 
+/// Writes each pair of correlated lines with its term of the variance, 2 r c_1 u_1 c_2 u_2, below heads in
+/// `row`; returns how many there are. The lines stand from row 5 on, `y` is the unit of contributions.
+int write_pairs(XlsxBook& book, const UncertaintyResult& result, const std::vector<SheetLine>& lines,
+                const Unit& y, int row) {
+    const auto all = resolved_correlations(result.inputs);
+    if (!all || lines.empty()) return 0;
+    constexpr int first_line = 5;
+    const std::vector<BudgetComponent>& components = result.budget.components;
+    std::vector<int> rows(components.size(), 0);
+    for (std::size_t i = 0; i < lines.size(); ++i)
+        rows[lines[i].component] = first_line + static_cast<int>(i);
+    const auto share_of = [&](int at) {
+        const SheetLine& line = lines[static_cast<std::size_t>(at - first_line)];
+        return y.interval_from_si(line.sensitivity * components[line.component].standard_uncertainty);
+    };
+    int at = row + 2;
+    for (const ComponentCorrelation& pair : *all) {
+        const int a = rows.at(pair.first), b = rows.at(pair.second);
+        if (a == 0 || b == 0 || pair.coefficient == 0.0) continue;
+        book.text(at, symbol, components[pair.first].id);
+        book.text(at, name, components[pair.second].id);
+        book.number(at, c, pair.coefficient, Look::stated);
+        const double term = 2.0 * pair.coefficient * share_of(a) * share_of(b);
+        book.formula(
+            at, square,
+            "=2*" + cell_name(at, c) + "*" + cell_name(a, contribution) + "*" + cell_name(b, contribution),
+            term, Look::plain, format_of_digits(term, digits_of_parts));
+        ++at;
+    }
+    const int pairs = at - row - 2;
+    if (pairs == 0) return 0;
+    book.text(row, symbol, "Correlations", Look::title);
+    book.text(row + 1, symbol, "Component", Look::head);
+    book.text(row + 1, name, "and component", Look::head);
+    book.text(row + 1, c, "Coefficient r", Look::head_of_numbers);
+    book.text(row + 1, square, "Term of the variance", Look::head_of_numbers);
+    return pairs;
+}
+
 /// The sheet of one output of one analysis.
 class BudgetSheet {
 public:
@@ -167,7 +206,9 @@ public:
         for (const SheetLine& line : lines_) write_line(line);
         last_ = row_ - 1;
         write_result();
-        write_correlations();
+        first_pair_ = row_ + 2;
+        pairs_ = write_pairs(book_, result_, lines_, y_, row_);
+        if (pairs_ > 0) row_ = first_pair_ + pairs_ + 1;
         write_comparison();
         if (lines_.size() > 1 && lines_.size() <= most_bars)
             book_.bars(row_ + 1, name,
@@ -234,43 +275,6 @@ private:
         book_.name_cell("estimate", row_, estimate);
         book_.text(row_, unit, output_.quantity.unit.display(), Look::head);
         row_ += 2;
-    }
-
-    /// Writes each pair with its term of the variance, 2 r c_1 u_1 c_2 u_2.
-    void write_correlations() {
-        const auto all = resolved_correlations(result_.inputs);
-        first_pair_ = row_ + 2;
-        if (!all || lines_.empty()) return;
-        std::vector<int> rows(result_.budget.components.size(), 0);
-        for (std::size_t i = 0; i < lines_.size(); ++i) rows[lines_[i].component] = 5 + static_cast<int>(i);
-        int at = first_pair_;
-        for (const ComponentCorrelation& pair : *all) {
-            const int a = rows.at(pair.first), b = rows.at(pair.second);
-            if (a == 0 || b == 0 || pair.coefficient == 0.0) continue;
-            book_.text(at, symbol, result_.budget.components[pair.first].id);
-            book_.text(at, name, result_.budget.components[pair.second].id);
-            book_.number(at, c, pair.coefficient, Look::stated);
-            const double term = 2.0 * pair.coefficient * share_of(lines_[static_cast<std::size_t>(a - 5)]) *
-                                share_of(lines_[static_cast<std::size_t>(b - 5)]);
-            book_.formula(at, square,
-                          "=2*" + cell_name(at, c) + "*" + cell_name(a, contribution) + "*" +
-                              cell_name(b, contribution),
-                          term, Look::plain, format_of_digits(term, digits_of_parts));
-            ++at;
-        }
-        pairs_ = at - first_pair_;
-        if (pairs_ == 0) return;
-        book_.text(row_, symbol, "Correlations", Look::title);
-        book_.text(row_ + 1, symbol, "Component", Look::head);
-        book_.text(row_ + 1, name, "and component", Look::head);
-        book_.text(row_ + 1, c, "Coefficient r", Look::head_of_numbers);
-        book_.text(row_ + 1, square, "Term of the variance", Look::head_of_numbers);
-        row_ = at + 1;
-    }
-
-    double share_of(const SheetLine& line) const {
-        return y_.interval_from_si(line.sensitivity *
-                                   result_.budget.components[line.component].standard_uncertainty);
     }
 
     void write_comparison() {

@@ -60,13 +60,11 @@
 #include "ui/theme/icons.h"
 #include "ui/theme/number_locale.h"
 #include "ui/theme/strings.h"
-#include "ui/theme/wheel_scrolls.h"
 
 namespace covaria::ui {
 
 MainWindow::MainWindow(RecoveryStore store, QWidget* parent)
     : QMainWindow(parent), files_(document_, std::move(store), this) {
-    qApp->installEventFilter(new WheelScrolls(this));
     apply_number_form(numbers_ = preferences_.now().numbers);
     theme_ = new ThemeSwitch(preferences_, this);  // first: views take their rows' height from its font
     files_.dialogs = standard_dialogs(this);

@@ -4,6 +4,7 @@
 #include <QStyle>
 
 #include "ui/theme/theme.h"
+#include "ui/theme/wheel_scrolls.h"
 
 namespace covaria::ui {
 namespace {
@@ -32,6 +33,7 @@ bool wants_dark(const Preferences& preferences) {
 
 ThemeSwitch::ThemeSwitch(PreferenceStore& preferences, QObject* parent)
     : QObject(parent), preferences_(preferences) {
+    qApp->installEventFilter(new WheelScrolls(this));
     apply();
     connect(&preferences_, &PreferenceStore::changed, this, [this] {
         if (wants_dark(preferences_.now()) != dark_ || !(preferences_.now().font == font_)) apply();

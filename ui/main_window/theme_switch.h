@@ -1,5 +1,5 @@
 // Light, dark, or as the system, and the size of the font: what follows from the preferences for the whole
-// application.
+// application; and what the wheel does in it.
 #pragma once
 
 #include <QObject>

@@ -64,6 +64,11 @@ double without_noise(double mean) {
     return QString::number(mean, 'g', 12).toDouble();
 }
 
+/// Kinds of statements whose figure is in proportion to u.
+const std::set<std::string> by_their_figure{"standard-deviation", "certificate-k", "certificate-p",
+                                            "rectangular",        "triangular",    "arcsine",
+                                            "trapezoidal",        "resolution"};
+
 }  // namespace
 
 BudgetSheetModel::BudgetSheetModel(Document& document, const SetupAddress& address, const FieldSpec& field,
@@ -361,31 +366,14 @@ void BudgetSheetModel::take_observations(int row, const QString& text, const QSt
 
 int BudgetSheetModel::write(int row, int section, const QString& text, const QString& step) {
     if (section == stated) take_observations(row, text, step);
+    if (const auto concise = section == estimate ? concise_parts(text) : std::nullopt;
+        concise && sheet_.cells_of_value(row, concise->value)[column("value")].refused.isEmpty())
+        return write(row, estimate, concise->value, step) + write(row, stated, concise->uncertainty, step);
     return sheet_.write_row(row, cells_for(row, section, text), step, ui::tr(head_of(section).title));
 }
 
 BudgetSheetModel::Cells BudgetSheetModel::cells_of_statement(int row, const QString& text) const {
-    return cells_of_statement(row, text, read_typed(row, text));
-}
-
-BudgetSheetModel::Cells BudgetSheetModel::cells_of_estimate(int row, const QString& text) const {
-    const auto concise = concise_parts(text);
-    if (!concise) return sheet_.cells_of_value(row, text);
-    Cells cells = sheet_.cells_of_value(row, concise->value);
-    if (!cells[column("value")].refused.isEmpty())
-        return {{column("value"), {text, cells[column("value")].refused}}};
-    const auto unit_now = cells.find(column("unit"));
-    const Unit of_row =
-        unit_now == cells.end() ? unit_of(row) : parse_unit(unit_now->second.text).value_or(unit_of(row));
-    const auto read = read_in(concise->uncertainty, of_row);
-    if (!read) return {{column("value"), {text, to_qt(read.error().message)}}};
-    for (auto& [at, cell] : cells_of_statement(row, concise->uncertainty, read))
-        if (at != column("value")) cells[at] = std::move(cell);
-    return cells;
-}
-
-BudgetSheetModel::Cells BudgetSheetModel::cells_of_statement(int row, const QString& text,
-                                                             const Result<TypedStatement>& read) const {
+    const auto read = read_typed(row, text);
     Cells cells;
     const auto refuse = [&](const QString& why) {
         cells[column("statement")] = {text, why};
@@ -417,7 +405,7 @@ BudgetSheetModel::Cells BudgetSheetModel::cells_of_statement(int row, const QStr
 
 BudgetSheetModel::Cells BudgetSheetModel::cells_for(int row, int section, const QString& text) const {
     if (section == stated) return cells_of_statement(row, text);
-    if (section == estimate) return cells_of_estimate(row, text);
+    if (section == estimate) return sheet_.cells_of_value(row, text);
     Cells cells;
     cells[column_of(section)] = {text};
     const QString figure = text.trimmed();  // "2 ppm" would be 0.000 002 degrees of freedom
@@ -444,9 +432,6 @@ bool BudgetSheetModel::setData(const QModelIndex& index, const QVariant& value, 
 /// scaled, u is the statement.
 bool BudgetSheetModel::state_u(int row, const QString& text) {
     if (text.trimmed().isEmpty()) return false;
-    static const std::set<std::string> by_their_figure{"standard-deviation", "certificate-k", "certificate-p",
-                                                       "rectangular",        "triangular",    "arcsine",
-                                                       "trapezoidal",        "resolution"};
     const auto read = read_typed(row, text);
     const BudgetComponent* of = figures_.component(static_cast<std::size_t>(row));
     const std::optional<double> a = number_at(row, "a");
@@ -461,9 +446,7 @@ bool BudgetSheetModel::state_u(int row, const QString& text) {
         write(row, stated, text, next_step());
         return true;
     }
-    Cells cells;
-    cells[column("a")] = {.number = without_noise(*a * wanted / now)};
-    sheet_.write_row(row, cells, next_step());
+    sheet_.write_row(row, {{column("a"), {.number = without_noise(*a * wanted / now)}}}, next_step());
     return true;
 }
 

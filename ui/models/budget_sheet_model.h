@@ -97,10 +97,6 @@ private:
     /// The cells that typing `text` into a section of a row writes there and beside it.
     Cells cells_for(int row, int section, const QString& text) const;
     Cells cells_of_statement(int row, const QString& text) const;
-    /// `read`: the statement that the text is.
-    Cells cells_of_statement(int row, const QString& text, const Result<TypedStatement>& read) const;
-    /// "50.000 623(25) mm" states the standard uncertainty too.
-    Cells cells_of_estimate(int row, const QString& text) const;
     /// A new key: edits that are written with the same key are one undo step.
     QString next_step();
     /// Writes the cells of `cells_for`, and the observations that a statement lists. Returns how many could

@@ -7,8 +7,6 @@
 #include "core/propagation/requirements.h"
 #include "core/views/result_columns.h"
 #include "core/views/result_statement.h"
-#include "ui/document/quantity_text.h"
-#include "ui/document/requirement_edits.h"
 #include "ui/models/interval_mark.h"
 #include "ui/models/roles.h"
 #include "ui/theme/document_language.h"
@@ -17,25 +15,6 @@
 #include "ui/theme/theme.h"
 
 namespace covaria::ui {
-namespace {
-
-/// Keys of columns in which requirements are typed, with the key of the requirement's field.
-constexpr std::pair<std::string_view, std::string_view> typed_columns[] = {
-    {"target", "targetUncertainty"}, {"lower limit", "lowerLimit"}, {"upper limit", "upperLimit"}};
-
-double in_unit(const Quantity& quantity, const Unit& unit, const RequirementField& field) {
-    return field.is_interval ? converted_interval(quantity.value, quantity.unit, unit)
-                             : converted(quantity.value, quantity.unit, unit);
-}
-
-}  // namespace
-
-void ResultTableModel::edit_requirements(Document& document, std::string analysis) {
-    if (document_ == &document && analysis_ == analysis) return;
-    document_ = &document;
-    analysis_ = std::move(analysis);
-    refused_.clear();
-}
 
 void ResultTableModel::set_result(std::shared_ptr<const UncertaintyResult> result, bool current,
                                   std::vector<RequirementResult> verdicts) {
@@ -92,7 +71,7 @@ void ResultTableModel::rebuild() {
 
 std::vector<std::string> ResultTableModel::keys() const {
     std::vector<std::string> keys = {"group", "symbol", "name", "unit", "estimate", "u", "U"};
-    for (const auto& [column, field] : typed_columns) keys.emplace_back(column);
+    for (std::string& column : RequirementCells::columns()) keys.push_back(std::move(column));
     if (!verdicts_.empty()) keys.insert(keys.end(), {"U/target", "met"});
     keys.insert(keys.end(), {"k", "nu_eff"});
     const bool symmetric = interval_ == Interval::symmetric;
@@ -125,32 +104,7 @@ QString ResultTableModel::deviations(std::size_t row) const {
 }
 
 const RequirementField* ResultTableModel::field_of(const QModelIndex& index) const {
-    if (!document_ || !index.isValid()) return nullptr;
-    for (const auto& [column, key_of_field] : typed_columns)
-        if (key(static_cast<std::size_t>(index.column())) == column)
-            for (const RequirementField& field : requirement_fields())
-                if (field.key == key_of_field) return &field;
-    return nullptr;
-}
-
-const ResultTableModel::Refused* ResultTableModel::refused_in(const QModelIndex& index) const {
-    const auto found = refused_.find({output_of(index.row()), key(static_cast<std::size_t>(index.column()))});
-    return found == refused_.end() ? nullptr : &found->second;
-}
-
-Unit ResultTableModel::unit_of(std::size_t output, const RequirementField& field) const {
-    const Unit unit = units().of(result_->outputs[output].quantity.unit);
-    return field.is_interval ? unit.interval() : unit;
-}
-
-QString ResultTableModel::typed_text(std::size_t output, const RequirementField& field) const {
-    const AnalysisEntry* entry = document_->project().find_analysis(analysis_);
-    const Requirement* now = entry ? find_requirement(*entry, result_->outputs[output].quantity) : nullptr;
-    const auto quantity = now ? value_of(*now, field) : std::nullopt;
-    if (!quantity) return {};
-    const Unit unit = unit_of(output, field);
-    if (!(quantity->unit.dimension() == unit.dimension())) return quantity_text(*quantity, QLocale());
-    return number_text(in_unit(*quantity, unit, field), QLocale());
+    return index.isValid() ? requirements_.field_of(key(static_cast<std::size_t>(index.column()))) : nullptr;
 }
 
 Qt::ItemFlags ResultTableModel::flags(const QModelIndex& index) const {
@@ -161,50 +115,24 @@ Qt::ItemFlags ResultTableModel::flags(const QModelIndex& index) const {
 QVariant ResultTableModel::data(const QModelIndex& index, int role) const {
     const RequirementField* field = field_of(index);
     if (!field) return ColumnTableModel::data(index, role);
-    if (const Refused* refused = refused_in(index)) {
+    const std::size_t output = output_of(index.row());
+    if (const auto* refused = requirements_.refused(output, key(static_cast<std::size_t>(index.column())))) {
         if (role == Qt::DisplayRole || role == Qt::EditRole) return refused->text;
         if (role == typeset_role || role == exact_role) return {};
         if (role == Qt::ToolTipRole) return refused->complaint;
         if (role == Qt::BackgroundRole) return refused_ground();
         if (role == Qt::ForegroundRole) return Theme::of(QGuiApplication::palette()).tokens().red;
     }
-    if (role == Qt::EditRole) return typed_text(output_of(index.row()), *field);
+    if (role == Qt::EditRole)
+        return requirements_.text_of(result_->outputs[output].quantity, *field, units());
     return ColumnTableModel::data(index, role);
 }
 
-QString ResultTableModel::require(std::size_t output, const RequirementField& field, const QString& text) {
-    const auto quantity = parse_quantity(text, unit_of(output, field), QLocale());
-    if (!quantity) return to_qt(quantity.error().message);
-    std::vector<OutputQuantity> outputs;
-    const OutputQuantity& own = result_->outputs[output].quantity;
-    if (std::ranges::count(together_, output) > 0)
-        for (const std::size_t other : together_)
-            if (const OutputQuantity& of = result_->outputs[other].quantity;
-                of.unit.dimension() == own.unit.dimension())
-                outputs.push_back(of);
-    if (outputs.empty()) outputs.push_back(own);
-    const AnalysisEntry* entry = document_->project().find_analysis(analysis_);
-    if (!entry) return {};
-    for (const OutputQuantity& of : outputs) {
-        const Requirement* now = find_requirement(*entry, of);
-        Requirement then = now ? *now : Requirement{};
-        set_value(then, field, *quantity);
-        if (const QString wrong = complaint_of_limits(then.lower_limit, then.upper_limit); !wrong.isEmpty())
-            return wrong;
-    }
-    change_requirements(*document_, analysis_, outputs,
-                        [&](Requirement& requirement) { set_value(requirement, field, *quantity); });
-    return {};
-}
-
 bool ResultTableModel::setData(const QModelIndex& index, const QVariant& value, int role) {
-    const RequirementField* field = field_of(index);
-    if (!field || role != Qt::EditRole) return false;
-    const CellKey cell{output_of(index.row()), key(static_cast<std::size_t>(index.column()))};
-    refused_.erase(cell);
-    const QString text = value.toString(), complaint = require(cell.first, *field, text);
-    if (complaint.isEmpty()) return true;
-    refused_[cell] = {text, complaint};
+    if (!field_of(index) || role != Qt::EditRole) return false;
+    const auto result = result_;  // another one comes with the project's change
+    const std::string column = key(static_cast<std::size_t>(index.column()));
+    if (requirements_.type(*result, output_of(index.row()), column, value.toString(), units())) return true;
     emit dataChanged(index, index);
     return false;
 }

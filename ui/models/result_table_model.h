@@ -3,13 +3,11 @@
 #pragma once
 
 #include <QStringList>
-#include <map>
 #include <memory>
 
-#include "core/project/requirement_fields.h"
 #include "core/result/uncertainty_result.h"
-#include "ui/document/document.h"
 #include "ui/models/column_table_model.h"
+#include "ui/models/requirement_cells.h"
 
 namespace covaria::ui {
 
@@ -19,11 +17,8 @@ public:
     enum class Interval { symmetric, shortest };
     using ColumnTableModel::ColumnTableModel;
 
-    /// Lets target and limits be typed: they are requirements of this analysis. Without it nothing can be
-    /// typed.
-    void edit_requirements(Document& document, std::string analysis);
-    /// Outputs whose requirement is typed together with that of any one of them.
-    void set_typed_together(std::vector<std::size_t> outputs) { together_ = std::move(outputs); }
+    /// Target and limits, which are typed here.
+    RequirementCells& requirements() { return requirements_; }
     /// A null result empties the table. `verdicts` on this result; none: no column tells whether they are
     /// met.
     void set_result(std::shared_ptr<const UncertaintyResult> result, bool current,
@@ -48,21 +43,9 @@ protected:
     QVariant extra(std::size_t row, std::size_t column, int role) const override;
 
 private:
-    /// A text that was typed and not taken.
-    struct Refused {
-        QString text, complaint;
-    };
-    using CellKey = std::pair<std::size_t, std::string>;  ///< output and column
-
     void rebuild();
-    /// Field of a requirement that the column is of; null: nothing is typed there.
+    /// Null: nothing is typed in the cell's column.
     const RequirementField* field_of(const QModelIndex& index) const;
-    const Refused* refused_in(const QModelIndex& index) const;
-    /// Unit in which a field of a requirement on the output is typed and shown.
-    Unit unit_of(std::size_t output, const RequirementField& field) const;
-    QString typed_text(std::size_t output, const RequirementField& field) const;
-    /// A complaint, or empty: the quantity is required now.
-    QString require(std::size_t output, const RequirementField& field, const QString& text);
     std::vector<std::string> keys() const;
     QString deviations(std::size_t row) const;
     bool is_wanted(std::size_t output) const;
@@ -75,10 +58,7 @@ private:
     std::vector<RequirementResult> verdicts_;
     QStringList words_;
     bool only_not_met_ = false;
-    Document* document_ = nullptr;
-    std::string analysis_;
-    std::vector<std::size_t> together_;
-    std::map<CellKey, Refused> refused_;
+    RequirementCells requirements_;
 };
 
 }  // namespace covaria::ui

@@ -1,5 +1,6 @@
 #include "ui/pages/outputs_tab.h"
 
+#include <QAction>
 #include <QCheckBox>
 #include <QHBoxLayout>
 #include <QLineEdit>
@@ -111,10 +112,11 @@ void OutputsTab::take_requirements() {
     if (result_ && entry) verdicts = judge(*result_, *entry);
     only_not_met_->setEnabled(!verdicts.empty() || only_not_met_->isChecked());
     const QModelIndex cell = table_->currentIndex();
-    model_.edit_requirements(document_, to_std(selection_.analysis()));
+    model_.requirements().follow(document_, to_std(selection_.analysis()));
     model_.set_result(result_, current_, std::move(verdicts));
     // The first requirement brings columns, and the cell that it was typed into stays the current one.
-    if (cell.isValid() && !table_->currentIndex().isValid()) table_->select_cell(cell.row(), cell.column());
+    if (cell.isValid() && !table_->currentIndex().isValid())
+        table_->setCurrentIndex(table_->model()->index(cell.row(), cell.column()));
 }
 
 std::vector<std::size_t> OutputsTab::selected_outputs() const {
@@ -154,8 +156,14 @@ void OutputsTab::make_table() {
     table_->setItemDelegate(new CellDelegate(table_));
     table_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed |
                             QAbstractItemView::AnyKeyPressed);
+    auto* clear = new QAction(table_);
+    clear->setShortcut(QKeySequence::Delete);
+    clear->setShortcutContext(Qt::WidgetShortcut);
+    table_->addAction(clear);
+    connect(clear, &QAction::triggered, this,
+            [this] { table_->model()->setData(table_->currentIndex(), QString()); });
     connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
-            [this] { model_.set_typed_together(selected_outputs()); });
+            [this] { model_.requirements().set_typed_together(selected_outputs()); });
 }
 
 }  // namespace covaria::ui

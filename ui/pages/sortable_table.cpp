@@ -170,11 +170,7 @@ int SortableTable::current_row() const {
 
 void SortableTable::select_row(int row) {
     const QModelIndex index = proxy_.mapFromSource(proxy_.sourceModel()->index(row, 0));
-    if (index.isValid() && index.row() != currentIndex().row()) select_cell(index.row(), 0);
-}
-
-void SortableTable::select_cell(int row, int column) {
-    const QModelIndex index = proxy_.index(row, column);
+    if (!index.isValid() || index.row() == currentIndex().row()) return;
     selecting_ = true;
     setCurrentIndex(index);
     scrollTo(index);
@@ -189,8 +185,6 @@ void SortableTable::currentChanged(const QModelIndex& current, const QModelIndex
 void SortableTable::keyPressEvent(QKeyEvent* event) {
     if (event->matches(QKeySequence::Copy))
         copy_selection();
-    else if (event->key() == Qt::Key_Delete && proxy_.flags(currentIndex()) & Qt::ItemIsEditable)
-        proxy_.setData(currentIndex(), QString());
     else
         QTableView::keyPressEvent(event);
 }

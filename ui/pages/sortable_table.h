@@ -37,8 +37,6 @@ public:
     /// Row of the model under the current row of the view; -1 = none.
     int current_row() const;
     void select_row(int row);
-    /// Makes a cell of the view the current one, without telling that its row is selected.
-    void select_cell(int row, int column);
 
 signals:
     void row_selected(int row);

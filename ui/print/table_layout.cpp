@@ -38,6 +38,19 @@ std::string cell_html(const TableBlock& block, std::size_t row, std::size_t colu
     return to_html(written(block.table, block.table.columns[column], row, block.view));
 }
 
+/// The head on a further page: below words that say which table goes on.
+RepeatedHead continued(const RepeatedHead& head, const TableBlock& block, const PageStyle& style,
+                       double available) {
+    if (block.continued.empty()) return head;
+    RichText words(style, TextRole::caption, to_qt(to_html(running_text(block.continued))));
+    words.set_width(available);
+    const double above = words.height() + style.points(3.0);
+    return {above + head.height, [words, above, paint = head.paint](QPainter& painter, QPointF at) {
+                words.paint(painter, at);
+                paint(painter, at + QPointF(0.0, above));
+            }};
+}
+
 class TableLayout {
 public:
     TableLayout(const TableBlock& block, const PageStyle& style, double width, ColumnIndices shown,
@@ -69,7 +82,7 @@ public:
     void append(std::vector<FlowItem>& items, bool first, bool last) {
         if (first) append_caption(items);
         const RepeatedHead here = make_head();
-        const auto head = std::make_shared<RepeatedHead>(continued(here));
+        const auto head = std::make_shared<RepeatedHead>(continued(here, block_, style_, available_));
         const double before = !first ? style_.mm(3.5) : block_.table.title.empty() ? style_.mm(2.5) : 0.0;
         items.push_back({here.height, before, true, here.paint, {}});
         for (std::size_t r = 0; r < cells_.size(); ++r) items.push_back(row_item(r, head, last));
@@ -183,18 +196,6 @@ private:
             painter.fillRect(QRectF(at.x(), at.y() + height + 1.6 * pad, width, thin), PageStyle::ink());
         };
         return {height + 2.2 * pad, paint};
-    }
-
-    /// The head on a further page: below words that say which table goes on.
-    RepeatedHead continued(const RepeatedHead& head) const {
-        if (block_.continued.empty()) return head;
-        RichText words(style_, TextRole::caption, to_qt(to_html(running_text(block_.continued))));
-        words.set_width(available_);
-        const double above = words.height() + style_.points(3.0);
-        return {above + head.height, [words, above, paint = head.paint](QPainter& painter, QPointF at) {
-                    words.paint(painter, at);
-                    paint(painter, at + QPointF(0.0, above));
-                }};
     }
 
     double row_height(std::size_t r) const {

@@ -115,8 +115,7 @@ void ScenePanel::put_below_equations(QWidget* page, QWidget& tools) {
     below_ = page;
     equations_->put_tools(tools);
     flat_->addWidget(page);
-    flat_->setStretchFactor(0, 0);
-    flat_->setStretchFactor(1, 1);
+    for (const int part : {0, 1}) flat_->setStretchFactor(part, part);
 }
 
 void ScenePanel::make_toolbar() {

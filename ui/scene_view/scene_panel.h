@@ -56,8 +56,7 @@ public:
 
     /// Adds a button with these views to the tool bar.
     void offer_views(QMenu& menu);
-    /// Puts a page for quantities that are nowhere in space below their equations, and its buttons beside
-    /// them; the page hides without content.
+    /// Puts a page below the equations, and its buttons beside them; it hides without content.
     void put_below_equations(QWidget* page, QWidget& tools);
 
     SceneView& view() { return *view_; }

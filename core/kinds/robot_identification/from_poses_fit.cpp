@@ -164,6 +164,11 @@ std::vector<std::size_t> rows_alike(const MatrixXd& deviations, Index row) {
     return rows;
 }
 
+void take_deviations(FitStatistics& s, const MatrixXd& deviations) {
+    s.u_residuals = deviations.rowwise().norm();
+    s.alike = rows_alike(deviations, worst_row(s));
+}
+
 Message rows_in_words(const Calibration& c, const std::vector<std::size_t>& rows) {
     constexpr std::size_t most_named = 3;
     Message words;
@@ -410,9 +415,7 @@ private:
         s.covariance = unknowns * unknowns.transpose();
         s.residuals = residuals_of(c_, c_.solution, fitted(c_));
         const MatrixXd design = jacobian_of(c_, c_.solution, fitted(c_));
-        const MatrixXd deviations = from_inputs - design * unknowns;
-        s.u_residuals = deviations.rowwise().norm();
-        s.alike = rows_alike(deviations, worst_row(s));
+        take_deviations(s, from_inputs - design * unknowns);
         const double expected = w_.cwiseProduct(s.u_residuals).squaredNorm();
         s.scatter = expected > 0.0 ? w_.cwiseProduct(s.residuals).norm() / std::sqrt(expected) : 0.0;
         const auto rows = static_cast<double>(s.residuals.size());
