@@ -206,7 +206,6 @@ TEST_F(BudgetSession, GaugeBlockFromNothingToItsCertificateInFortyActions) {
     trigger(QStringLiteral("Certificate as PDF"));  // says what is missing, and goes there
     count();
     count();  // Escape in its question
-    const Project& project = window_->document().project();
     std::size_t texts = 0;
     for (const CertificateField& one : certificate_fields()) texts += one.required;
     for (std::size_t i = 0; i < texts; ++i) {
@@ -226,7 +225,7 @@ TEST_F(BudgetSession, GaugeBlockFromNothingToItsCertificateInFortyActions) {
     type_key(Qt::Key_Return, Qt::ControlModifier);
     for (const CertificateField& one : certificate_fields()) {
         if (!one.required) continue;
-        EXPECT_FALSE((project.certificate.*one.member).empty()) << one.title;
+        EXPECT_FALSE((window_->document().project().certificate.*one.member).empty()) << one.title;
     }
     const QString pdf = folder_.filePath(QStringLiteral("certificate.pdf"));
     answer_.file_to_save = pdf;
