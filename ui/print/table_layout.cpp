@@ -83,7 +83,7 @@ public:
         if (first) append_caption(items);
         const RepeatedHead here = make_head();
         const auto head = std::make_shared<RepeatedHead>(continued(here, block_, style_, available_));
-        const double before = !first ? style_.mm(3.5) : block_.table.title.empty() ? style_.mm(2.5) : 0.0;
+        const double before = style_.mm(!first ? 3.5 : block_.table.title.empty() ? 2.5 : 0.0);
         items.push_back({here.height, before, true, here.paint, {}});
         for (std::size_t r = 0; r < cells_.size(); ++r) items.push_back(row_item(r, head, last));
         if (last) append_notes(items);
@@ -186,8 +186,7 @@ private:
     RepeatedHead make_head() const {
         double height = 0.0;
         for (const RichText& head : heads_) height = std::max(height, head.height());
-        const double pad = style_.points(2.2);
-        const double thick = style_.points(0.8), thin = style_.points(0.5);
+        const double pad = style_.points(2.2), thick = style_.points(0.8), thin = style_.points(0.5);
         const auto paint = [heads = heads_, columns = columns_, height, pad, thick, thin, width = width_](
                                QPainter& painter, QPointF at) {
             painter.fillRect(QRectF(at.x(), at.y(), width, thick), PageStyle::ink());

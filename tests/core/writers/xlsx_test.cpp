@@ -97,14 +97,15 @@ TEST(WriteXlsx, LooksLikeABudget) {
     Project project = loaded(projects / "gum/h1-end-gauge.covaria");
     project.analyses.resize(1);
     const Evaluated evaluated = evaluate(project);
-    auto zip = ZipParts::open(written(evaluated), 100'000'000);
+    const std::string bytes = written(evaluated);
+    auto zip = ZipParts::open(bytes, 100'000'000);
     ASSERT_TRUE(zip);
     const std::string sheet = zip->read("xl/worksheets/sheet2.xml").value_or("");
     EXPECT_NE(sheet.find("ySplit=\"4\""), std::string::npos) << "the heads are frozen";
     EXPECT_NE(sheet.find("fitToHeight=\"0\""), std::string::npos) << "as wide as a page";
     const std::string styles = zip->read("xl/styles.xml").value_or("");
     EXPECT_NE(styles.find("formatCode=\"0.0###%\""), std::string::npos);
-    const auto sheets = sheets_of(written(evaluated));
+    const auto sheets = sheets_of(bytes);
     const WorkbookCell* y = nullptr;
     for (const auto& [row, cells] : sheets[1].rows)
         if (const WorkbookCell* symbol = sheets[1].cell(row, 1); symbol && symbol->text == "l" && row > 5)
