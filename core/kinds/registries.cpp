@@ -40,14 +40,26 @@ const Descriptor* find(const std::vector<Descriptor>& descriptors, std::string D
 }  // namespace
 
 const std::vector<ModelDescriptor>& model_registry() {
-    static const std::vector<ModelDescriptor> models{
-        pose_from_points_model(),     points_from_sensors_model(), network_adjustment_model(),
-        geometry_from_points_model(), feature_relations_model(),   tcp_from_ballbars_model(),
-        robot_pose_model(),           robot_circle_points_model(), robot_calibration_model(),
-        force_channels_model(),       force_loads_model(),         measurement_equation_model(),
-        calibration_curve_model(),    group_observations_model(),  distance_meter_model(),
-        theodolite_model(),           robot_poses_model(),         tracker_tests_model(),
-        history_model(),              force_proving_model()};
+    static const std::vector<ModelDescriptor> models{pose_from_points_model(),
+                                                     points_from_sensors_model(),
+                                                     network_adjustment_model(),
+                                                     geometry_from_points_model(),
+                                                     feature_relations_model(),
+                                                     tcp_from_ballbars_model(),
+                                                     robot_pose_model(),
+                                                     robot_circle_points_model(),
+                                                     robot_calibration_model(),
+                                                     force_channels_model(),
+                                                     force_loads_model(),
+                                                     measurement_equation_model(),
+                                                     calibration_curve_model(),
+                                                     group_observations_model(),
+                                                     distance_meter_model(),
+                                                     theodolite_model(),
+                                                     robot_poses_model(),
+                                                     tracker_tests_model(),
+                                                     history_model(),
+                                                     force_proving_model()};
     return models;
 }
 

@@ -206,9 +206,8 @@ QVariant InputCorrelationModel::data(const QModelIndex& index, int role) const {
             return QVariant(Qt::AlignRight | Qt::AlignVCenter);
         case Qt::BackgroundRole:
             if (kept) return refused_ground();
-            return complaint_.isEmpty() || a == b || coefficient(a, b) == 0.0
-                       ? QVariant()
-                       : QVariant(refused_ground());
+            return complaint_.isEmpty() || a == b || coefficient(a, b) == 0.0 ? QVariant()
+                                                                              : QVariant(refused_ground());
         case Qt::ToolTipRole:
             if (kept) return kept->reason;
             return complaint_.isEmpty() ? to_qt(a + ", " + b) : complaint_;

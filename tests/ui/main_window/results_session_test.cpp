@@ -272,7 +272,8 @@ TEST_F(ResultsSession, RequirementsAreTypedInTheTable) {
     };
     const auto type = [&](int row, const char* head, const QString& text) {
         view.setFocus();
-        view.selectionModel()->setCurrentIndex(table().index(row, column(head)), QItemSelectionModel::NoUpdate);
+        view.selectionModel()->setCurrentIndex(table().index(row, column(head)),
+                                               QItemSelectionModel::NoUpdate);
         QTest::keyClick(view.viewport(), Qt::Key_F2);
         auto* editor = view.viewport()->findChild<QLineEdit*>();
         ASSERT_NE(editor, nullptr);
