@@ -52,7 +52,7 @@ Readings groups(std::size_t count, std::size_t each, bool with_between) {
     return model ? model->redundant_readings() : nullptr;
 }
 
-TEST(PlainCampaigns, OfObservationsInGroups) {
+TEST(PlainCampaigns, DISABLED_OfObservationsInGroups) {
     for (const double truth : {1.0, 0.5}) {
         const Readings within = groups(8, 5, false);
         ASSERT_TRUE(within);
@@ -79,7 +79,7 @@ TEST(PlainCampaigns, OfATheodolite) {
 }
 
 /// A set of ballbars with five supports, and points above them.
-TEST(PlainCampaigns, OfBallbars) {
+TEST(PlainCampaigns, DISABLED_OfBallbars) {
     Project project = project_of("ballbar-tcp.covaria");
     const std::vector<Eigen::Vector3d> supports{
         {0, 0, 0}, {520, 0, 0}, {260, 450, 0}, {700, 100, 0}, {300, -300, 0}};
@@ -108,7 +108,7 @@ TEST(PlainCampaigns, OfBallbars) {
 }
 
 /// Two cameras see the targets that a tracker knows much better.
-TEST(PlainCampaigns, OfSensors) {
+TEST(PlainCampaigns, DISABLED_OfSensors) {
     Network network;
     network.keep_sensors({"camera-1", "camera-2", "laser-tracker"}, "recommended");
     network.table("distances", "recommended").rows.clear();
