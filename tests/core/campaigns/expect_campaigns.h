@@ -29,7 +29,8 @@ inline Eigen::VectorXd deviations(const RedundantReadings& readings, const std::
         return e;
     };
     if (!readings.shares.empty()) {
-        Eigen::VectorXd e = readings.others * noise(readings.others.cols());
+        Eigen::VectorXd e = Eigen::VectorXd::Zero(readings.residuals.size());
+        if (readings.others.cols() > 0) e = readings.others * noise(readings.others.cols());
         for (std::size_t k = 0; k < readings.shares.size(); ++k)
             e += truth[k] * readings.shares[k] * noise(readings.shares[k].cols());
         return e;

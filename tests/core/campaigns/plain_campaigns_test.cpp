@@ -52,7 +52,7 @@ Readings groups(std::size_t count, std::size_t each, bool with_between) {
     return model ? model->redundant_readings() : nullptr;
 }
 
-TEST(PlainCampaigns, DISABLED_OfObservationsInGroups) {
+TEST(PlainCampaigns, OfObservationsInGroups) {
     for (const double truth : {1.0, 0.5}) {
         const Readings within = groups(8, 5, false);
         ASSERT_TRUE(within);
@@ -78,7 +78,8 @@ TEST(PlainCampaigns, OfATheodolite) {
     expect_campaigns(*readings, {1.0, 1.5}, 15);
 }
 
-/// A set of ballbars with five supports, and points above them.
+/// A set of ballbars with five supports, and points above them. Disabled: with two figures of little
+/// redundancy beside it, the first is seen 2.4 % (u 0.9 %) too small, which is to be understood.
 TEST(PlainCampaigns, DISABLED_OfBallbars) {
     Project project = project_of("ballbar-tcp.covaria");
     const std::vector<Eigen::Vector3d> supports{
@@ -107,7 +108,8 @@ TEST(PlainCampaigns, DISABLED_OfBallbars) {
     expect_campaigns(*readings, {1.8, 1.0, 1.0}, 17, 1);
 }
 
-/// Two cameras see the targets that a tracker knows much better.
+/// Two cameras see the targets that a tracker knows much better. Disabled: in some campaigns the third and
+/// fourth figure have a redundancy below 10, and targets enough for them take minutes.
 TEST(PlainCampaigns, DISABLED_OfSensors) {
     Network network;
     network.keep_sensors({"camera-1", "camera-2", "laser-tracker"}, "recommended");
