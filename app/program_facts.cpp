@@ -24,7 +24,7 @@ std::string dotted(int a, int b, int c) {
     return std::to_string(a) + "." + std::to_string(b) + "." + std::to_string(c);
 }
 
-/// Of all lists of cases and their projects, by the order of their names.
+/// The digest of all lists of cases and their projects, in the order of their names.
 Result<std::string> digest_of_cases() {
     namespace fs = std::filesystem;
     const fs::path folder = data_directory() / "resources";

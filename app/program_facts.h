@@ -1,4 +1,4 @@
-// What this program is made of: compiler, libraries, its own bytes.
+// Facts about this program: compiler, libraries, its own bytes.
 #pragma once
 
 #include "core/verification/dossier.h"

@@ -75,7 +75,7 @@ private:
     MadeProject::Pointer opened_;
 };
 
-/// What fails, and how many figures do.
+/// The text of the figures that fail, and their number.
 std::string failures_text(const std::vector<CheckedCase>& cases) {
     std::vector<CheckedCase> failing;
     std::size_t figures = 0, failed = 0;

@@ -49,7 +49,7 @@ void leave_out_studies(Evaluation& evaluation, const CarriedResults& carried) {
     });
 }
 
-/// What a report shows of itself.
+/// The outcome of evaluating a report's project again.
 enum class Verdict { same, different, not_as_released };
 
 /// Says when the project of the report was released, and what of it is no longer as it was then.

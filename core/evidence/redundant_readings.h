@@ -45,7 +45,7 @@ private:
     std::shared_ptr<Place> place_;
 };
 
-/// What residuals are drawn over beside their order: a distance, a height.
+/// A quantity that residuals are drawn over beside their order: a distance, a height.
 struct Abscissa {
     Message name = {};  ///< "distance"
     Unit unit = {};

@@ -122,7 +122,7 @@ struct Project {
     std::string number = {};  ///< number by which the author's house knows the project
     Review review = {};
     Certificate certificate = {};
-    /// What the certificate stated that this one replaces.
+    /// Statements of the certificate that this one replaces.
     Amendment amendment = {};
     ReportContents report = {};
     ProjectResults results = {};

@@ -10,7 +10,7 @@
 
 namespace covaria {
 
-/// What a model is for, which inputs and sources of error it takes account of, and which not: a declaration
+/// The task of a model, the inputs and sources of error that it takes account of, and others: a declaration
 /// as ISO/TS 15530-4 asks for of software that evaluates uncertainty.
 struct ModelScope {
     std::string task;
@@ -27,7 +27,7 @@ struct EvaluationClause {
 /// Those of resources/dossier/clauses.json. Errors: io, bad_input.
 Result<std::vector<EvaluationClause>> evaluation_clauses();
 
-/// What is evidence for a clause.
+/// The evidence for a clause.
 struct ClauseEvidence {
     EvaluationClause of;
     std::vector<std::string> cases;  ///< titles
@@ -37,7 +37,7 @@ struct ClauseEvidence {
 std::vector<ClauseEvidence> evidence_of(const std::vector<EvaluationClause>& clauses,
                                         const std::vector<CheckedCase>& cases);
 
-/// What is evidence for a model.
+/// The evidence for a model.
 struct ModelEvidence {
     std::size_t cases = 0, figures = 0, passed = 0;
     /// Largest difference from a reference, in parts of what is allowed, of figures by the law of

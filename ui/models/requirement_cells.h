@@ -33,7 +33,7 @@ public:
     const RequirementField* field_of(const std::string& column) const;
     /// Null: what stands in the cell was taken.
     const Refused* refused(std::size_t output, const std::string& column) const;
-    /// What is required of an output as it would be typed.
+    /// The text that would be typed for what is required of an output.
     QString text_of(const OutputQuantity& output, const RequirementField& field,
                     const DisplayUnits& units) const;
     /// Requires a quantity as it is typed, of all outputs typed together that have its dimension. A text that

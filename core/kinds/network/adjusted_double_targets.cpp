@@ -20,10 +20,10 @@ struct SightReadings {
     bool is_in_space() const { return zenith != none; }
 };
 
-/// What is sighted from one station in one round, by target.
+/// The sights from one station in one round, by target.
 using SightsOfRound = std::map<std::size_t, SightReadings>;
 
-/// What readings of sights say of places, with the figures of instruments as far as they are stated.
+/// Places by readings of sights, with the figures of instruments as far as they are stated.
 class SightGeometry {
 public:
     using Values = ClosureSums::Values;

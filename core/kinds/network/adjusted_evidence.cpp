@@ -189,7 +189,7 @@ void scale(AdjustedNetwork& network, const std::vector<std::size_t>& figure_of,
     network.whitening = adjustment::SparseRows(by.asDiagonal() * network.whitening);
 }
 
-/// What other analyses see of the readings of one kind and instrument; empty: none of them sees it.
+/// The figure of readings of one kind and instrument that other analyses see; empty: none of them sees it.
 struct SeenElsewhere {
     std::optional<SeenFigureOfReadings> figure = {};
     double between = 0.0;  ///< standard deviation of ln u between them

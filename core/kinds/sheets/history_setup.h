@@ -21,7 +21,7 @@ struct HistoryRow {
 /// The figure that the limit is for.
 enum class DueRule { none, drift, deviation };
 
-/// What is typed; numbers in `unit`.
+/// The set-up as it is typed; numbers in `unit`.
 struct StatedHistory {
     std::string symbol, name;
     Unit unit;

@@ -1,4 +1,4 @@
-// What ISO 376 and EURAMET cg-4 make of the deflections of a force-proving instrument: errors, relative
+// Figures of a force-proving instrument from its deflections, by ISO 376 and EURAMET cg-4: errors, relative
 // standard uncertainties, curves, classes.
 #pragma once
 

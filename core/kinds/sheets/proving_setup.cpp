@@ -36,7 +36,7 @@ void check_unloaded(const ProvingSetup& setup, Problems& problems) {
     }
 }
 
-/// In the order of the rows.
+/// Problems come in the order of the rows.
 void check_steps(const ProvingSetup& setup, Problems& problems) {
     const auto& fields = proving_fields();
     for (std::size_t row = 0; row < setup.steps.size(); ++row) {

@@ -13,10 +13,10 @@ inline double u_of_deviation(double s, double degrees_of_freedom) {
     return s / std::sqrt(2.0 * degrees_of_freedom);
 }
 
-/// Of an estimate from residuals, Type A: t with their degrees of freedom.
+/// The Type A component of an estimate from residuals: t with their degrees of freedom.
 UncertaintyComponent residual_component(std::string id, const Unit& unit, double u, double degrees_of_freedom,
                                         Message name, Message origin);
-/// Of a standard deviation s itself.
+/// The component of a standard deviation s itself.
 UncertaintyComponent deviation_component(std::string id, const Unit& unit, double s,
                                          double degrees_of_freedom, Message origin);
 

@@ -85,7 +85,7 @@ private:
         }
     }
 
-    /// From targets that are known to sets and from these to targets; false: nothing is new.
+    /// Known targets tell sets, and these tell targets; false: nothing is new.
     bool spread() {
         bool grows = false;
         for (std::size_t k = 0; k < rows_.size(); ++k) {

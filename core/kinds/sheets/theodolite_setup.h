@@ -22,7 +22,7 @@ struct FaceReadings {
     double index() const;      ///< what a zenith angle reads too large
 };
 
-/// What tests a and b hold an s against.
+/// Figures that tests a and b hold an s against.
 struct DeviationTests {
     std::optional<double> stated;       ///< sigma of test a
     std::optional<double> other;        ///< s of another campaign, test b

@@ -111,7 +111,7 @@ public:
         readings_ = prepared && prepared->model ? prepared->model->redundant_readings() : nullptr;
     }
     const std::shared_ptr<const RedundantReadings>& readings() const { return readings_; }
-    /// What is said of outliers.
+    /// The warnings of outliers.
     std::vector<std::string> outliers() const {
         std::vector<std::string> said;
         for (const Problem& problem : problems_.items())

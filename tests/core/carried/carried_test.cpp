@@ -106,7 +106,7 @@ TEST(Carried, WhatWasKeptInTheProjectIsNotSentWithIt) {
               find(data_of(plain), carried::project)->bytes);
 }
 
-/// With its CSV files, with meshes, with a logo that is not beside it.
+/// The projects have CSV files, meshes, and a logo that is not beside them.
 TEST(Carried, WhatWasReleasedIsWhatIsCarried) {
     for (const char* name :
          {"stewart-platform.covaria", "force-moment-sensor.covaria", "certificate-gauge-block.covaria"}) {

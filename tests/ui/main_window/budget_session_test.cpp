@@ -61,7 +61,7 @@ protected:
         QTest::keyClick(line, Qt::Key_Tab);
         count();
     }
-    /// From the row behind them, by keys.
+    /// The keys begin in the row behind them.
     void correlate_last_rows(const QString& coefficient) {
         type_key(Qt::Key_Up);
         count();
