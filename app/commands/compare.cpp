@@ -14,7 +14,6 @@
 #include "app/report_files.h"
 #include "app/saved_project.h"
 #include "app/terminal.h"
-#include "app/today.h"
 #include "core/base/file_io.h"
 #include "core/base/file_names.h"
 #include "core/carried/carried_project.h"
@@ -22,6 +21,7 @@
 #include "core/report/amendment.h"
 #include "core/report/comparison_report.h"
 #include "core/result_files/csv_writer.h"
+#include "ui/document/today.h"
 #include "ui/theme/document_language.h"
 
 namespace covaria {
@@ -178,7 +178,7 @@ Result<void> write_amended(const CompareArguments& arguments, const Evaluation& 
     std::map<std::string, std::string> present;
     for (const AnalysisPair& pair : plan.pairs) present.emplace(pair.before, pair.after);
     AmendmentRequest request = arguments.amendment;
-    if (request.issued.empty()) request.issued = today();
+    if (request.issued.empty()) request.issued = ui::today();
     const std::vector<EvaluatedAnalysis> stated = those_stated(was);
     auto project = amended(now->project(), was.made->project(),
                            statements_of({*was.made, stated, was.failed}, present), request);

@@ -8,9 +8,9 @@
 #include "app/exit_status.h"
 #include "app/saved_project.h"
 #include "app/terminal.h"
-#include "app/today.h"
 #include "core/made/load_project.h"
 #include "core/project/release.h"
+#include "ui/document/today.h"
 
 namespace covaria {
 namespace {
@@ -42,7 +42,7 @@ void take_step(ReviewStep& step, const std::string& name, const std::string& dat
 }
 
 Result<void> change(Project& project, const ReleaseArguments& arguments) {
-    const std::string date = arguments.date.empty() ? today() : arguments.date;
+    const std::string date = arguments.date.empty() ? ui::today() : arguments.date;
     if (!arguments.line.empty()) {
         project.review.log.push_back({date, arguments.by, arguments.line});
         Problems problems;

@@ -1,6 +1,5 @@
 #include "ui/forms/review_form.h"
 
-#include <QDate>
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -9,6 +8,7 @@
 #include <algorithm>
 
 #include "core/project/release.h"
+#include "ui/document/today.h"
 #include "ui/forms/complaint.h"
 #include "ui/forms/date_editor.h"
 #include "ui/forms/form_labels.h"
@@ -21,10 +21,6 @@ namespace covaria::ui {
 namespace {
 
 constexpr std::size_t shown_digits = 16;  ///< of a digest, in a line that must break
-
-std::string today() {
-    return to_std(QDate::currentDate().toString(Qt::ISODate));
-}
 
 std::string path_of(const ReviewStepField& step, const char* member) {
     return std::string("/review/") + step.key + "/" + member;

@@ -66,9 +66,9 @@ QString RequirementCells::text_of(const OutputQuantity& output, const Requiremen
     return number_text(in_unit(*quantity, unit, field), QLocale());
 }
 
-QString RequirementCells::complaint_of(const UncertaintyResult& result, std::size_t output,
-                                       const RequirementField& field, const QString& text,
-                                       const DisplayUnits& units) {
+QString RequirementCells::require(const UncertaintyResult& result, std::size_t output,
+                                  const RequirementField& field, const QString& text,
+                                  const DisplayUnits& units) {
     const OutputQuantity& own = result.outputs[output].quantity;
     const auto quantity = parse_quantity(text, unit_of(own, field, units), QLocale());
     if (!quantity) return to_qt(quantity.error().message);
@@ -97,7 +97,7 @@ bool RequirementCells::type(const UncertaintyResult& result, std::size_t output,
                             const QString& text, const DisplayUnits& units) {
     const std::pair cell(output, column);
     refused_.erase(cell);
-    const QString complaint = complaint_of(result, output, *field_of(column), text, units);
+    const QString complaint = require(result, output, *field_of(column), text, units);
     if (complaint.isEmpty()) return true;
     refused_[cell] = {text, complaint};
     return false;

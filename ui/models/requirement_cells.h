@@ -42,8 +42,9 @@ public:
               const QString& text, const DisplayUnits& units);
 
 private:
-    QString complaint_of(const UncertaintyResult& result, std::size_t output, const RequirementField& field,
-                         const QString& text, const DisplayUnits& units);
+    /// A complaint, or empty: the quantity is required now.
+    QString require(const UncertaintyResult& result, std::size_t output, const RequirementField& field,
+                    const QString& text, const DisplayUnits& units);
 
     Document* document_ = nullptr;
     std::string analysis_;
