@@ -22177,7 +22177,7 @@ An diesen Stellen steht „nicht angegeben“. Es sind Felder der Seite des Proj
     </message>
     <message>
         <source>Re&amp;view and Release</source>
-        <translation>Prüfung und &amp;Freigabe</translation>
+        <translation>Prüf&amp;ung und Freigabe</translation>
     </message>
 </context>
 <context>
