@@ -92,6 +92,7 @@ private:
         common.name = tell<"deviation that all values share">();
         common.unit = difference;
         common.distribution = Distribution::normal(setup_.common_u);
+        common.origin = tell<"typed standard uncertainty">();
         std::vector<UncertaintyComponent> own;
         if (setup_.common_u > 0.0) own.push_back(std::move(common));
         inputs_.add({.symbol = "c", .name = tell<"deviation that all values share">(), .unit = difference},
