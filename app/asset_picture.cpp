@@ -1,7 +1,7 @@
 #include "app/asset_picture.h"
 
 #include "core/made/made_project.h"
-#include "viz/scene/build_scene.h"
+#include "viz/scene/asset_scene.h"
 #include "viz/vtk/scene_renderer.h"
 
 namespace covaria {
@@ -13,17 +13,15 @@ Result<void> write_asset_picture(const AssetEntry& asset, const std::filesystem:
     const AssetLibrary::Entry* entry = made->assets().find(asset.id);
     if (!entry || !entry->asset)
         return fail(ErrorCode::bad_input, first_error(made->problems(), "the asset cannot be made"));
-    const Layout layout = entry->asset->layout();
-    if (layout.bodies.empty() && layout.links.empty())
-        return fail(ErrorCode::bad_input, asset.name + " has no body to draw");
     SceneOptions options;
     options.labels = false;
-    SceneSource source;
-    source.layout = &layout;
+    auto scene = asset_scene(*entry->asset, options);
+    if (!scene) return fail(ErrorCode::bad_input, asset.name + " has no body to draw");
     SceneRenderer renderer;
     renderer.set_size(400, 250);
-    renderer.set_scene(build_scene(source, options));
-    if (layout.links.empty()) {  // an instrument's drawing has no size of its own: no axes and no scale
+    renderer.set_scene(*std::move(scene));
+    if (entry->asset->layout()
+            .links.empty()) {  // an instrument's drawing has no size of its own: no axes and no scale
         LayerVisibility layers = renderer.layers();
         for (const Layer layer : {Layer::axes, Layer::legend, Layer::labels}) layers[layer] = false;
         renderer.set_layers(layers);

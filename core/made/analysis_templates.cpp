@@ -365,6 +365,24 @@ const AnalysisTemplate* template_of(const std::string& model) {
     return found == by_model.end() ? nullptr : found->second;
 }
 
+const std::vector<const AnalysisTemplate*>& templates_with(const AssetEntry& asset) {
+    using Templates = std::vector<const AnalysisTemplate*>;
+    static const std::map<std::string, Templates> by_sort = [] {
+        std::map<std::string, Templates> found;
+        for (const AnalysisTemplate& known : analysis_templates()) {
+            const auto part = template_project(known);
+            if (!part || known.with_designs) continue;
+            std::set<std::string> sorts;
+            for (const AssetEntry& used : part->assets) sorts.insert(sort_of(used));
+            for (const std::string& sort : sorts) found[sort].push_back(&known);
+        }
+        return found;
+    }();
+    static const Templates none;
+    const auto found = by_sort.find(sort_of(asset));
+    return found == by_sort.end() ? none : found->second;
+}
+
 Result<Project> template_project(const AnalysisTemplate& wanted, const DocumentLanguage& in) {
     const std::filesystem::path file = data_directory() / "projects" / (wanted.example + ".covaria");
     LoadedProject loaded = load_project(file);

@@ -1,6 +1,7 @@
 #include "ui/document/inquiry_edits.h"
 
 #include <algorithm>
+#include <numbers>
 
 #include "core/kinds/registries.h"
 #include "core/project/study_target.h"
@@ -134,19 +135,53 @@ std::optional<DesignVariable> next_variable(const Project& project, const Analys
     return next;
 }
 
+namespace {
+
+bool is_angle(const Unit& unit) {
+    return unit.dimension() == Unit::of("rad").dimension();
+}
+
+/// The axis of a choice: a place is moved, and a joint turned, by what can be seen in the scene, unless the
+/// number may not be that.
+StudyAxis wide_axis(const Project& project, const AnalysisEntry& analysis, const StudyTargetChoice& choice) {
+    constexpr double metres = 1.0, radians = 0.25 * std::numbers::pi;  // to each side
+    using Kind = StudyTarget::Kind;
+    const StudyTarget& target = choice.target;
+    const bool turns = target.kind == Kind::cell && is_angle(target.unit);
+    const bool moves = target.kind == Kind::pose && target.unit.dimension() == Unit::of("m").dimension();
+    if (!turns && !moves) return choice.axis;
+    StudyAxis wide = choice.axis;
+    const double half = wide.unit.interval_from_si(turns ? radians : metres);
+    wide.from = target.current - half;
+    wide.to = target.current + half;
+    Problems problems;
+    check_study_axis(project, analysis, nullptr, wide, {}, problems);
+    return problems.has_errors() ? choice.axis : wide;
+}
+
+/// Whether two angles stand in one row, as the readings of a robot's joints do.
+bool turn_the_same(const StudyTarget& first, const StudyTarget& second) {
+    return first.kind == StudyTarget::Kind::cell && second.kind == first.kind && is_angle(first.unit) &&
+           is_angle(second.unit) && second.asset == first.asset && second.upstream == first.upstream &&
+           second.key == first.key && second.row == first.row;
+}
+
+}  // namespace
+
 Study new_study(const Project& project, const AnalysisEntry& analysis) {
-    constexpr double metres = 1.0;  // to each side: a place is moved by what can be seen in its scene
     Study study;
     const auto choices = study_targets(project, analysis, nullptr);
     const auto best = std::ranges::min_element(
         choices, {}, [&](const StudyTargetChoice& choice) { return rank_as_variable(project, choice); });
     if (best == choices.end()) return study;
-    StudyAxis& axis = study.axes.emplace_back(best->axis);
-    if (best->target.kind == StudyTarget::Kind::pose && axis.unit.dimension() == Unit::of("m").dimension()) {
-        const double half = axis.unit.interval_from_si(metres);
-        axis.from = best->target.current - half;
-        axis.to = best->target.current + half;
-    }
+    std::vector<StudyTargetChoice> varied{*best};
+    std::vector<StudyTargetChoice> joints;
+    std::ranges::copy_if(choices, std::back_inserter(joints), [&](const StudyTargetChoice& choice) {
+        return turn_the_same(best->target, choice.target);
+    });
+    // The first joint turns the whole arm, which makes no place better than another.
+    if (joints.size() > 2) varied = {joints[1], joints[2]};
+    for (const StudyTargetChoice& choice : varied) study.axes.push_back(wide_axis(project, analysis, choice));
     return study;
 }
 

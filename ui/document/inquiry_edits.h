@@ -45,8 +45,8 @@ private:
 const InquiryList<Study>& study_list();
 const InquiryList<Design>& design_list();
 
-/// The study offered first: it moves an instrument, by a metre to each side, or else varies what a user would
-/// change first.
+/// The study offered first: it moves an instrument by a metre to each side, maps what the second and
+/// third joint of a robot do, or else varies what a user would change first.
 Study new_study(const Project& project, const AnalysisEntry& analysis);
 /// The first number that can be chosen, besides those that are already: where an instrument stands before
 /// other numbers, and what was measured only where there is nothing else. Between half and one and a half

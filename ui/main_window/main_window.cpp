@@ -340,10 +340,8 @@ void MainWindow::connect_panes() {
         if (std::exchange(is_typed_, typed) != typed) results_->set_typed(typed);
     });
     connect_scene();
-    const auto show_inquiry = [this] { show_inquiry_in_scene(*results_, *scene_); };
-    connect(&results_->study_tab(), &StudyTab::shown_changed, this, show_inquiry);
-    connect(&results_->design_tab(), &DesignTab::shown_changed, this, show_inquiry);
-    connect(&results_->stage(), &Stage::changed, this, show_inquiry);
+    show_inquiries_in_scene(*results_, *scene_);
+    show_assets_in_scene(selection_, *scene_);
     const auto edit_by = [this](void (PropertiesPane::*page)()) {
         selection_.select_entry({SetupOwner::analysis, to_std(selection_.analysis())});
         docks_[1]->show();

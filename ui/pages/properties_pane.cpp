@@ -26,6 +26,7 @@
 #include "ui/forms/spreadsheet_view.h"
 #include "ui/forms/studies_form.h"
 #include "ui/pages/asset_evaluation.h"
+#include "ui/pages/asset_uses.h"
 #include "ui/pages/field_help.h"
 #include "ui/pages/inputs_page.h"
 #include "ui/pages/inspector_head.h"
@@ -65,6 +66,15 @@ QString hint_in(const Project& project) {
                : PropertiesPane::tr("Select an entry of the project tree to see its properties.");
 }
 
+QLabel* new_hint(const Project& project) {
+    auto* hint = new QLabel(hint_in(project));
+    hint->setWordWrap(true);
+    hint->setMargin(16);
+    hint->setAlignment(Qt::AlignTop);
+    hint->setEnabled(false);
+    return hint;
+}
+
 ReviewForm* add_review(Document& document, FoldGroups& groups) {
     auto* form = new ReviewForm(document);
     set_help_place(*form, QStringLiteral("release-review-and-release"));
@@ -73,6 +83,14 @@ ReviewForm* add_review(Document& document, FoldGroups& groups) {
                      [&groups, group](const QString& words) { groups.set_summary(group, words); });
     form->show_state();
     return form;
+}
+
+void add_uses(Document& document, Selection& selection, const std::string& asset, FoldGroups& groups) {
+    auto* uses = new AssetUses(document, selection, asset);
+    const int group = groups.add(uses, PropertiesPane::tr("What can be evaluated with it"), true);
+    groups.set_shown(group, false);
+    QObject::connect(uses, &AssetUses::offered, &groups,
+                     [&groups, group](bool any) { groups.set_shown(group, any); });
 }
 
 }  // namespace
@@ -108,22 +126,13 @@ void PropertiesPane::rebuild() {
     else if (find_setup(document_.project(), entry))
         add_entry_pages(entry);
     else
-        add_hint();
+        groups_->add(hint_ = new_hint(document_.project()), {});
     wrap_labels(*groups_);
     put_long_fields_below(*groups_);
     area_ = scrolled(groups_);
     static_cast<QVBoxLayout*>(layout())->insertWidget(0, area_, 1);
     connect(groups_, &FoldGroups::opened, this, &PropertiesPane::start_help);
     summarise();
-}
-
-void PropertiesPane::add_hint() {
-    hint_ = new QLabel(hint_in(document_.project()));
-    hint_->setWordWrap(true);
-    hint_->setMargin(16);
-    hint_->setAlignment(Qt::AlignTop);
-    hint_->setEnabled(false);
-    groups_->add(hint_, {});
 }
 
 void PropertiesPane::add_entry_pages(const SetupAddress& entry) {
@@ -134,6 +143,7 @@ void PropertiesPane::add_entry_pages(const SetupAddress& entry) {
         selection_.select_field(path);
         following_ = false;
     });
+    if (entry.owner == SetupOwner::asset) add_uses(document_, selection_, entry.id, *groups_);
     groups_->add(forms_.setup, {});
     if (entry.owner == SetupOwner::asset)
         groups_->add(new AssetEvaluation(document_, entry.id), tr("Evaluation"));

@@ -80,7 +80,6 @@ private:
     void rebuild();
     void add_project_pages();
     void add_entry_pages(const SetupAddress& entry);
-    void add_hint();
     void add_analysis_pages(const SetupAddress& entry);
     void discard_if_gone();
     void follow_field(const QString& field);

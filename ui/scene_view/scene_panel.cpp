@@ -17,6 +17,7 @@
 #include "core/project/stated_requirements.h"
 #include "ui/models/number_words.h"
 #include "ui/run/result_words.h"
+#include "ui/scene_view/layers_button.h"
 #include "ui/scene_view/trial_words.h"
 #include "ui/theme/core_text.h"
 #include "ui/theme/document_language.h"
@@ -24,6 +25,7 @@
 #include "ui/theme/icons.h"
 #include "ui/theme/strings.h"
 #include "viz/scene/analysis_scene.h"
+#include "viz/scene/asset_scene.h"
 #include "viz/scene/context_meshes.h"
 #include "viz/vtk/scene_fonts.h"
 
@@ -35,7 +37,7 @@ constexpr int usual_probability = 2;  // index in the list: 95 %
 /// While a field is wrong the last picture of the analysis stays, faint.
 bool keeps_last_picture(SceneView& view, const QString& analysis, const AnalysisStatus& status) {
     constexpr char of_analysis[] = "of_analysis";
-    const bool refused = is_refused(status);
+    const bool refused = !analysis.isEmpty() && is_refused(status);
     view.setProperty(is_faint, refused);
     view.update();
     if (!refused) view.setProperty(of_analysis, analysis);
@@ -105,6 +107,7 @@ ScenePanel::ScenePanel(AnalysisRunner& runner, QWidget* parent)
 }
 
 void ScenePanel::take_context() {
+    if (analysis_.isEmpty()) refresh();  // for the asset
     std::vector<LayoutMesh> context = context_meshes(*runner_.made());
     if (std::ranges::equal(context, context_, &LayoutMesh::looks_like)) return;
     context_ = std::move(context);
@@ -132,7 +135,7 @@ void ScenePanel::make_toolbar() {
     toolbar_->addSeparator();
     measuring_->add_to(*toolbar_);
     toolbar_->addSeparator();
-    make_layers_menu();
+    toolbar_->addWidget(layers_button(*view_, this));
     magnification_ = new QComboBox(this);
     magnification_->setToolTip(tr("Magnification of the uncertainty; it is always written in the picture"));
     magnification_->setAccessibleName(tr("Magnification of the uncertainty"));
@@ -167,41 +170,6 @@ void ScenePanel::offer_views(QMenu& menu) {
     toolbar_->insertWidget(before_fit_, button);
 }
 
-void ScenePanel::make_layers_menu() {
-    const std::pair<Layer, QString> layers[] = {
-        {Layer::frames, tr("Frames")},
-        {Layer::points, tr("Points")},
-        {Layer::bodies, tr("Bodies")},
-        {Layer::links, tr("Links and Sight Lines")},
-        {Layer::vectors, tr("Vectors")},
-        {Layer::ellipsoids, tr("Ellipsoids")},
-        {Layer::clouds, tr("Clouds")},
-        {Layer::wall_histograms, tr("Histograms on the Walls")},
-        {Layer::labels, tr("Labels")},
-        {Layer::axes, tr("Axes")},
-        {Layer::legend, tr("Legend")},
-        {Layer::map, tr("Map of a Study or Design")},
-        {Layer::ellipsoids_before, tr("Ellipsoids of the Kept State")},
-        {Layer::meshes, tr("Context Meshes")}};
-    auto* button = new QToolButton(this);
-    auto* menu = new QMenu(button);
-    for (const auto& [layer, text] : layers) {
-        QAction* action = menu->addAction(text);
-        action->setCheckable(true);
-        action->setChecked(layers_[layer]);
-        connect(action, &QAction::toggled, this, [this, layer = layer](bool shown) {
-            layers_[layer] = shown;
-            view_->set_layers(layers_);
-        });
-    }
-    button->setAccessibleName(tr("Layers"));
-    button->setIcon(icon(QStringLiteral("layers")));
-    button->setToolTip(tr("Layers: what the picture shows"));
-    button->setMenu(menu);
-    button->setPopupMode(QToolButton::InstantPopup);
-    toolbar_->addWidget(button);
-}
-
 void ScenePanel::show_analysis(const QString& id) {
     if (id == analysis_) return;
     analysis_ = id;
@@ -211,6 +179,10 @@ void ScenePanel::show_analysis(const QString& id) {
     view_->forget_trial();
     say_nothing();
     refresh();
+}
+
+void ScenePanel::show_asset(const std::string& id) {
+    if (std::exchange(asset_, id) != id && analysis_.isEmpty()) refresh();
 }
 
 QString ScenePanel::group() const {
@@ -312,9 +284,8 @@ void ScenePanel::build_scene() {
         }
         show_in_space(true);
         shown_number_ = ++number_;
-        view_->set_empty_text(analysis_.isEmpty()
-                                  ? tr("Select an analysis in the project tree to see its layout here.")
-                                  : unprepared_words(status));
+        if (analysis_.isEmpty()) return show_asset_alone();
+        view_->set_empty_text(unprepared_words(status));
         view_->show_scene(nullptr);
         return;
     }
@@ -344,6 +315,14 @@ void ScenePanel::build_scene() {
         [this, number](const Error& error) {
             take_scene(number, std::make_shared<Result<Scene>>(fail(error)), nullptr);
         });
+}
+
+/// The body of the selected asset, while there is no analysis to be shown.
+void ScenePanel::show_asset_alone() {
+    const AssetLibrary::Entry* entry = runner_.made() ? runner_.made()->assets().find(asset_) : nullptr;
+    auto scene = entry && entry->asset ? asset_scene(*entry->asset, options()) : std::nullopt;
+    view_->set_empty_text(tr("Select an analysis in the project tree to see its layout here."));
+    view_->show_scene(scene ? std::make_shared<const Scene>(*std::move(scene)) : nullptr);
 }
 
 ResultPointer ScenePanel::shown_result(const AnalysisStatus& status) const {

@@ -35,6 +35,8 @@ public:
     /// Shows the scene of this analysis; empty = none.
     void show_analysis(const QString& id);
     const QString& analysis() const { return analysis_; }
+    /// Shows this asset by itself as long as no analysis is shown.
+    void show_asset(const std::string& id);
     void show_group(const QString& group);
     QString group() const;
     void set_dark(bool dark);
@@ -74,10 +76,10 @@ protected:
 
 private:
     void make_toolbar();
-    void make_layers_menu();
     void take_context();
     void refresh();
     void build_scene();
+    void show_asset_alone();
     std::function<Result<Scene>()> scene_to_build(const AnalysisStatus& status) const;
     void give_equations_room();
     void show_in_space(bool in_space);
@@ -99,6 +101,7 @@ private:
 
     AnalysisRunner& runner_;
     QString analysis_;
+    std::string asset_;     ///< id of the one selected last
     QString equations_of_;  ///< the analysis whose equations are shown
     std::shared_ptr<const StudyResult> study_;
     StudySceneOptions study_options_;
@@ -109,7 +112,6 @@ private:
     std::optional<double> drawn_magnification_;  ///< scale of the last scene that drew uncertainty
     std::string source_asset_, source_;          ///< the selected set-up field
     std::map<std::string, std::string> groups_;  ///< in which each source is shown
-    LayerVisibility layers_;
     QToolBar* toolbar_ = nullptr;
     QAction* iso_ = nullptr;
     QAction* before_fit_ = nullptr;  ///< in the tool bar, behind the views

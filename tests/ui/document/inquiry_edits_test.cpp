@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include "core/made/load_project.h"
 #include "core/project/study_target.h"
 
@@ -32,6 +34,18 @@ TEST(NewStudy, MovesAnInstrumentByAMetre) {
     EXPECT_DOUBLE_EQ(axis.unit.interval_to_si(axis.to - axis.from), 2.0);
     const LoadedProject typed = load_project(COVARIA_SOURCE_DIR "/projects/gum/h1-end-gauge.covaria");
     EXPECT_EQ(new_study(typed.project, typed.project.analyses.front()).axes.size(), 1U) << "nothing to move";
+}
+
+TEST(NewStudy, IsAMapOverTheSecondAndThirdJointOfARobot) {
+    const LoadedProject loaded = load_project(COVARIA_SOURCE_DIR "/projects/er10l-c10.covaria");
+    const Study study = new_study(loaded.project, *loaded.project.find_analysis("zero-pose-nominal"));
+    ASSERT_EQ(study.axes.size(), 2U);
+    EXPECT_TRUE(study.axes[0].target.ends_with("/q_2")) << study.axes[0].target;
+    EXPECT_TRUE(study.axes[1].target.ends_with("/q_3")) << study.axes[1].target;
+    for (const StudyAxis& axis : study.axes) {
+        EXPECT_TRUE(axis.target.starts_with("/setup/poses/rows/0/")) << axis.target;
+        EXPECT_DOUBLE_EQ(axis.unit.interval_to_si(axis.to - axis.from), 0.5 * std::numbers::pi);
+    }
 }
 
 TEST(NewDesign, NothingThatWasMeasuredIsChosen) {
