@@ -255,6 +255,7 @@ Result<Problems> errors_of_project(const std::string& file, const std::vector<st
 void say_what_is_missing(const ReportSource& source) {
     Problems missing = missing_in(source.made, ids_of(source.analyses));
     missing.take(improbable_results(source), "");
+    missing.take(results_beyond_capability(source), "");
     for (Problem& problem : missing.items()) problem.severity = Severity::warning;
     print_problems(missing);
 }

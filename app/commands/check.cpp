@@ -15,6 +15,7 @@
 #include "core/made/applicability.h"
 #include "core/project/release.h"
 #include "core/project/stated_requirements.h"
+#include "core/report/stated_uncertainty.h"
 #include "core/text/numbers.h"
 #include "core/views/seen_table.h"
 
@@ -96,6 +97,9 @@ TestSuite suite_of(const EvaluatedAnalysis& evaluated, const MadeProject& made, 
         if (verdict.target_uncertainty) suite.cases.push_back(target_case(name, output, verdict));
         if (verdict.lower_limit || verdict.upper_limit) suite.cases.push_back(tolerance_case(name, verdict));
     }
+    for (const CapabilityFinding& finding : capability_findings(made, *evaluated.result))
+        if (finding.verdict != CapabilityVerdict::raised)
+            suite.cases.push_back({"best capability", finding.words.english()});
     for (const CertificateUse& use : figures_used(made, suite.analysis).certificates)
         suite.cases.push_back(certificate_case(use));
     return suite;

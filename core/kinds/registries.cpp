@@ -13,6 +13,7 @@
 #include "core/kinds/geometry/model.h"
 #include "core/kinds/groups/model.h"
 #include "core/kinds/instruments/assets.h"
+#include "core/kinds/laboratory/assets.h"
 #include "core/kinds/network/adjusted_model.h"
 #include "core/kinds/network/asset.h"
 #include "core/kinds/network/model.h"
@@ -72,7 +73,7 @@ const std::vector<AssetDescriptor>& asset_registry() {
         artefact_points_kind(),     length_standard_kind(),     spherical_instrument_kind(),
         sensor_network_kind(),      point_specification_kind(), ballbar_set_kind(),
         robot_repeatability_kind(), serial_robot_kind(),        force_calibrator_kind(),
-        force_sensor_kind(),        context_mesh_kind()};
+        force_sensor_kind(),        context_mesh_kind(),        best_capability_kind()};
     return kinds;
 }
 

@@ -61,7 +61,7 @@ const C* offers(const Owner& asset) {  // a shared or unique pointer
     return offers<C>(asset.get());
 }
 
-enum class AssetCategory { artefact, instrument, robot, points, context };
+enum class AssetCategory { artefact, instrument, robot, points, context, laboratory };
 
 struct Reference {
     std::string text;  ///< "Porath, Gross, Eger: Experimental-numerical approach ..., Eqs 1-6"

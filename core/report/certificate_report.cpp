@@ -11,6 +11,7 @@
 #include "core/report/certificate_parts.h"
 #include "core/report/date_words.h"
 #include "core/report/report.h"
+#include "core/report/stated_uncertainty.h"
 #include "core/result/representation.h"
 #include "core/views/result_words.h"
 
@@ -171,6 +172,14 @@ void add_results_of(Blocks& blocks, const ReportSource& source, const std::vecto
     add_uncertainty_statement(blocks, shown, in);
 }
 
+/// Says which U is the laboratory's capability in place of the evaluated one, and what is outside its scope.
+void add_capability_notes(Blocks& blocks, const MadeProject& made,
+                          const std::vector<EvaluatedAnalysis>& analyses, const DocumentLanguage& in) {
+    for (const EvaluatedAnalysis& one : analyses)
+        for (const CapabilityFinding& finding : capability_findings(made, *one.result))
+            blocks.push_back(ParagraphBlock{in.say(finding.words) + "."});
+}
+
 void add_closing(Blocks& blocks, const ReportSource& source, const std::vector<EvaluatedAnalysis>& shown,
                  const DocumentLanguage& in) {
     const Certificate& certificate = source.made.project().certificate;
@@ -203,10 +212,11 @@ std::string report_parts::in_one_line(const std::string& text) {
 ReportDocument build_certificate(const MadeProject& made, const std::vector<EvaluatedAnalysis>& analyses,
                                  const std::vector<FailedAnalysis>& failed, CertifiedResults which,
                                  const DocumentLanguage& in) {
-    const ReportSource source{made, analyses, failed};
+    const std::vector<EvaluatedAnalysis> stated_analyses = as_stated(made, analyses);
+    const ReportSource source{made, stated_analyses, failed};
     const Certificate& certificate = made.project().certificate;
     const std::vector<EvaluatedAnalysis> shown =
-        which == CertifiedResults::all ? analyses : those_that_fit(analyses);
+        which == CertifiedResults::all ? stated_analyses : those_that_fit(stated_analyses);
     ReportDocument document;
     document.title =
         is_blank(certificate.number) ? in.say(words::untitled) : in.say(words::title, {certificate.number});
@@ -227,6 +237,7 @@ ReportDocument build_certificate(const MadeProject& made, const std::vector<Eval
     if (!released && !review.facts.empty()) document.blocks.push_back(review);
     add_administration(document.blocks, certificate, !conformity.empty(), in);
     add_results_of(document.blocks, source, shown, in);
+    add_capability_notes(document.blocks, made, analyses, in);
     document.blocks.insert(document.blocks.end(), conformity.begin(), conformity.end());
     add_changes(document.blocks, source, shown, in);
     if (released) document.blocks.push_back(review);

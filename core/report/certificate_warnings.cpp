@@ -5,6 +5,7 @@
 #include "core/made/certificate_gaps.h"
 #include "core/math/normal_quantile.h"
 #include "core/report/report_parts.h"
+#include "core/report/stated_uncertainty.h"
 #include "core/result/result_line.h"
 #include "core/views/result_statement.h"
 
@@ -46,6 +47,14 @@ Problems improbable_results(const ReportSource& source) {
                     evaluated.analysis->name, format_trimmed(*k, 4), result_words::output_label(far.quantity),
                     probability_text(stated_probability(far, result), NumberLocale{})));
     }
+    return warnings;
+}
+
+Problems results_beyond_capability(const ReportSource& source) {
+    Problems warnings;
+    for (const EvaluatedAnalysis& evaluated : source.analyses)
+        for (const CapabilityFinding& finding : capability_findings(source.made, *evaluated.result))
+            warnings.warning("", tell<"%1: %2">(evaluated.analysis->name, finding.words));
     return warnings;
 }
 

@@ -4,6 +4,7 @@
 #include "core/project/certificate.h"
 #include "core/project/stated_requirements.h"
 #include "core/report/certificate_parts.h"
+#include "core/report/stated_uncertainty.h"
 #include "core/result/representation.h"
 #include "core/result/result_line.h"
 #include "core/views/result_words.h"
@@ -237,7 +238,12 @@ Result<WrittenFile> write_dcc(const WriterSource& source) {
         missing_in_digital(project.certificate, stated_conformity(project, ids_of(source.analyses)));
     if (missing.has_errors())
         return fail(ErrorCode::bad_input, first_error(missing, ""), missing.items().front().path);
-    return DccWriter(source).write();
+    for (const EvaluatedAnalysis& one : source.analyses)
+        for (const CapabilityFinding& finding : capability_findings(source.made, *one.result))
+            if (finding.verdict == CapabilityVerdict::refused)
+                return fail(ErrorCode::bad_input, finding.words);
+    const std::vector<EvaluatedAnalysis> stated = as_stated(source.made, source.analyses);
+    return DccWriter({source.made, stated}).write();
 }
 
 }  // namespace

@@ -19840,6 +19840,142 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
         <source>Histogram of the residuals</source>
         <translation>Histogramm der Residuen</translation>
     </message>
+    <message>
+        <source>Best measurement capability</source>
+        <translation>Kleinste angebbare Messunsicherheit</translation>
+    </message>
+    <message>
+        <source>The smallest expanded uncertainties that a laboratory may state for a quantity (CMC), by ranges of its value. Certificates never state a smaller one.</source>
+        <translation>Die kleinsten erweiterten Messunsicherheiten, die ein Laboratorium für eine Größe angeben darf (CMC), nach Bereichen ihres Werts. Kalibrierscheine geben nie eine kleinere an.</translation>
+    </message>
+    <message>
+        <source>It is for U of about 95 %. No evaluation depends on it: results and reports state what was evaluated, certificates what may be stated.</source>
+        <translation>Sie gilt für U mit etwa 95 %. Keine Auswertung hängt davon ab: Ergebnisse und Berichte geben an, was ermittelt wurde, Kalibrierscheine, was angegeben werden darf.</translation>
+    </message>
+    <message>
+        <source>A result for which the laboratory has no capability is outside its scope: certificates say so, and &quot;covaria check&quot; ends with status 3.</source>
+        <translation>Ein Ergebnis, für das das Laboratorium keine hat, liegt außerhalb der Akkreditierung: Kalibrierscheine sagen es, und „covaria check“ endet mit Status 3.</translation>
+    </message>
+    <message>
+        <source>Of the results that it is for, and of the fixed part of U.</source>
+        <translation>Der Ergebnisse, für die sie gilt, und des festen Anteils von U.</translation>
+    </message>
+    <message>
+        <source>Symbols</source>
+        <translation>Symbole</translation>
+    </message>
+    <message>
+        <source>Of the results that it is for, with blanks between; empty: all results of that kind of unit.</source>
+        <translation>Der Ergebnisse, für die sie gilt, mit Leerzeichen dazwischen; leer: alle Ergebnisse mit einer Einheit dieser Art.</translation>
+    </message>
+    <message>
+        <source>Ranges</source>
+        <translation>Bereiche</translation>
+    </message>
+    <message>
+        <source>Value of</source>
+        <translation>Wert von</translation>
+    </message>
+    <message>
+        <source>Symbol of the quantity that the ranges and the relative part refer to, as that of the nominal length where the result is a deviation; empty: the result itself.</source>
+        <translation>Symbol der Größe, auf die sich Bereiche und relativer Anteil beziehen, etwa der Nennlänge, wo das Ergebnis eine Abweichung ist; leer: das Ergebnis selbst.</translation>
+    </message>
+    <message>
+        <source>Unit of the range</source>
+        <translation>Einheit des Bereichs</translation>
+    </message>
+    <message>
+        <source>In which the ranges are given.</source>
+        <translation>In der die Bereiche angegeben sind.</translation>
+    </message>
+    <message>
+        <source>Expanded uncertainties (k = 2) that the accreditation states, by ranges; the first range that has the value counts.</source>
+        <translation>Erweiterte Messunsicherheiten (k = 2) der Akkreditierung nach Bereichen; der erste Bereich, der den Wert enthält, zählt.</translation>
+    </message>
+    <message>
+        <source>Smallest value of the range, in the unit of the range.</source>
+        <translation>Kleinster Wert des Bereichs, in der Einheit des Bereichs.</translation>
+    </message>
+    <message>
+        <source>Largest value of the range; it belongs to it.</source>
+        <translation>Größter Wert des Bereichs; er gehört dazu.</translation>
+    </message>
+    <message>
+        <source>U, fixed part</source>
+        <translation>U, fester Anteil</translation>
+    </message>
+    <message>
+        <source>The part of U that does not depend on the value (a of a + b L), in the unit of the results.</source>
+        <translation>Der Anteil von U, der nicht vom Wert abhängt (a in a + b L), in der Einheit der Ergebnisse.</translation>
+    </message>
+    <message>
+        <source>U, relative part</source>
+        <translation>U, relativer Anteil</translation>
+    </message>
+    <message>
+        <source>The part of U in proportion to the value (b of a + b L): 0.5e-6 is 0.5 um in a metre.</source>
+        <translation>Der Anteil von U proportional zum Wert (b in a + b L): 0.5e-6 sind 0.5 um auf einen Meter.</translation>
+    </message>
+    <message>
+        <source>Parts of U</source>
+        <translation>Anteile von U</translation>
+    </message>
+    <message>
+        <source>Fixed and relative part of U.</source>
+        <translation>Fester und relativer Anteil von U.</translation>
+    </message>
+    <message>
+        <source>are added: a + b L</source>
+        <translation>werden addiert: a + b L</translation>
+    </message>
+    <message>
+        <source>in quadrature: Q[a; b L]</source>
+        <translation>quadratisch: Q[a; b L]</translation>
+    </message>
+    <message>
+        <source>Smaller U</source>
+        <translation>Kleinere U</translation>
+    </message>
+    <message>
+        <source>A smaller U</source>
+        <translation>Eine kleinere U</translation>
+    </message>
+    <message>
+        <source>What certificates state where the evaluated U is smaller.</source>
+        <translation>Was Kalibrierscheine angeben, wo die ermittelte U kleiner ist.</translation>
+    </message>
+    <message>
+        <source>is raised to it</source>
+        <translation>wird auf sie angehoben</translation>
+    </message>
+    <message>
+        <source>is not stated</source>
+        <translation>wird nicht angegeben</translation>
+    </message>
+    <message>
+        <source>the range ends below its beginning</source>
+        <translation>der Bereich endet unter seinem Anfang</translation>
+    </message>
+    <message>
+        <source>the range has no U</source>
+        <translation>der Bereich hat keine U</translation>
+    </message>
+    <message>
+        <source>a relative part of U needs ranges of the same kind of unit as the results</source>
+        <translation>ein relativer Anteil von U braucht Bereiche mit einer Einheit derselben Art wie die der Ergebnisse</translation>
+    </message>
+    <message>
+        <source>U of %1, %2, is below the best capability (%4): certificates state %3</source>
+        <translation>U von %1, %2, liegt unter der kleinsten angebbaren Messunsicherheit (%4): Kalibrierscheine geben %3 an</translation>
+    </message>
+    <message>
+        <source>U of %1, %2, is below the best capability of %3 (%4): it may not be stated</source>
+        <translation>U von %1, %2, liegt unter der kleinsten angebbaren von %3 (%4): sie darf nicht angegeben werden</translation>
+    </message>
+    <message>
+        <source>%1 is outside the scope: the laboratory has no capability for it</source>
+        <translation>%1 liegt außerhalb der Akkreditierung: das Laboratorium hat dafür keine kleinste angebbare Messunsicherheit</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -23485,6 +23621,10 @@ Verwendet von: %1. Dort steht ein Fehler, bis etwas anderes verwendet wird.</tra
         <source>Context</source>
         <translation>Umgebung</translation>
     </message>
+    <message>
+        <source>Laboratory</source>
+        <translation>Laboratorium</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::PropertiesPane</name>
@@ -23543,6 +23683,10 @@ Verwendet von: %1. Dort steht ein Fehler, bis etwas anderes verwendet wird.</tra
     <message>
         <source>Review</source>
         <translation>Prüfung</translation>
+    </message>
+    <message>
+        <source>What can be evaluated with it</source>
+        <translation>Was damit ermittelt werden kann</translation>
     </message>
 </context>
 <context>

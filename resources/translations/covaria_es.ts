@@ -19840,6 +19840,142 @@ nu 18 detrás de cualquiera de ellos: grados de libertad</translation>
         <source>Histogram of the residuals</source>
         <translation>Histograma de los residuos</translation>
     </message>
+    <message>
+        <source>Best measurement capability</source>
+        <translation>Capacidad óptima de medida</translation>
+    </message>
+    <message>
+        <source>The smallest expanded uncertainties that a laboratory may state for a quantity (CMC), by ranges of its value. Certificates never state a smaller one.</source>
+        <translation>Las menores incertidumbres expandidas que un laboratorio puede declarar para una magnitud (CMC), por intervalos de su valor. Los certificados nunca declaran una menor.</translation>
+    </message>
+    <message>
+        <source>It is for U of about 95 %. No evaluation depends on it: results and reports state what was evaluated, certificates what may be stated.</source>
+        <translation>Vale para U de aproximadamente el 95 %. Ninguna evaluación depende de ella: resultados e informes declaran lo evaluado; los certificados, lo que se puede declarar.</translation>
+    </message>
+    <message>
+        <source>A result for which the laboratory has no capability is outside its scope: certificates say so, and &quot;covaria check&quot; ends with status 3.</source>
+        <translation>Un resultado para el que el laboratorio no tiene capacidad queda fuera de su alcance: los certificados lo dicen y «covaria check» acaba con el estado 3.</translation>
+    </message>
+    <message>
+        <source>Of the results that it is for, and of the fixed part of U.</source>
+        <translation>De los resultados para los que vale y de la parte fija de U.</translation>
+    </message>
+    <message>
+        <source>Symbols</source>
+        <translation>Símbolos</translation>
+    </message>
+    <message>
+        <source>Of the results that it is for, with blanks between; empty: all results of that kind of unit.</source>
+        <translation>De los resultados para los que vale, separados por espacios; vacío: todos los resultados con ese tipo de unidad.</translation>
+    </message>
+    <message>
+        <source>Ranges</source>
+        <translation>Intervalos</translation>
+    </message>
+    <message>
+        <source>Value of</source>
+        <translation>Valor de</translation>
+    </message>
+    <message>
+        <source>Symbol of the quantity that the ranges and the relative part refer to, as that of the nominal length where the result is a deviation; empty: the result itself.</source>
+        <translation>Símbolo de la magnitud a la que se refieren los intervalos y la parte relativa, como la longitud nominal cuando el resultado es una desviación; vacío: el propio resultado.</translation>
+    </message>
+    <message>
+        <source>Unit of the range</source>
+        <translation>Unidad del intervalo</translation>
+    </message>
+    <message>
+        <source>In which the ranges are given.</source>
+        <translation>En la que se dan los intervalos.</translation>
+    </message>
+    <message>
+        <source>Expanded uncertainties (k = 2) that the accreditation states, by ranges; the first range that has the value counts.</source>
+        <translation>Incertidumbres expandidas (k = 2) de la acreditación, por intervalos; cuenta el primero que contiene el valor.</translation>
+    </message>
+    <message>
+        <source>Smallest value of the range, in the unit of the range.</source>
+        <translation>Valor mínimo del intervalo, en la unidad del intervalo.</translation>
+    </message>
+    <message>
+        <source>Largest value of the range; it belongs to it.</source>
+        <translation>Valor máximo del intervalo; pertenece a él.</translation>
+    </message>
+    <message>
+        <source>U, fixed part</source>
+        <translation>U, parte fija</translation>
+    </message>
+    <message>
+        <source>The part of U that does not depend on the value (a of a + b L), in the unit of the results.</source>
+        <translation>La parte de U que no depende del valor (a en a + b L), en la unidad de los resultados.</translation>
+    </message>
+    <message>
+        <source>U, relative part</source>
+        <translation>U, parte relativa</translation>
+    </message>
+    <message>
+        <source>The part of U in proportion to the value (b of a + b L): 0.5e-6 is 0.5 um in a metre.</source>
+        <translation>La parte de U proporcional al valor (b en a + b L): 0.5e-6 son 0.5 um en un metro.</translation>
+    </message>
+    <message>
+        <source>Parts of U</source>
+        <translation>Partes de U</translation>
+    </message>
+    <message>
+        <source>Fixed and relative part of U.</source>
+        <translation>Parte fija y parte relativa de U.</translation>
+    </message>
+    <message>
+        <source>are added: a + b L</source>
+        <translation>se suman: a + b L</translation>
+    </message>
+    <message>
+        <source>in quadrature: Q[a; b L]</source>
+        <translation>en cuadratura: Q[a; b L]</translation>
+    </message>
+    <message>
+        <source>Smaller U</source>
+        <translation>U menor</translation>
+    </message>
+    <message>
+        <source>A smaller U</source>
+        <translation>Una U menor</translation>
+    </message>
+    <message>
+        <source>What certificates state where the evaluated U is smaller.</source>
+        <translation>Lo que declaran los certificados donde la U evaluada es menor.</translation>
+    </message>
+    <message>
+        <source>is raised to it</source>
+        <translation>se eleva a ella</translation>
+    </message>
+    <message>
+        <source>is not stated</source>
+        <translation>no se declara</translation>
+    </message>
+    <message>
+        <source>the range ends below its beginning</source>
+        <translation>el intervalo acaba por debajo de su comienzo</translation>
+    </message>
+    <message>
+        <source>the range has no U</source>
+        <translation>el intervalo no tiene U</translation>
+    </message>
+    <message>
+        <source>a relative part of U needs ranges of the same kind of unit as the results</source>
+        <translation>una parte relativa de U necesita intervalos con el mismo tipo de unidad que los resultados</translation>
+    </message>
+    <message>
+        <source>U of %1, %2, is below the best capability (%4): certificates state %3</source>
+        <translation>U de %1, %2, está por debajo de la capacidad óptima (%4): los certificados declaran %3</translation>
+    </message>
+    <message>
+        <source>U of %1, %2, is below the best capability of %3 (%4): it may not be stated</source>
+        <translation>U de %1, %2, está por debajo de la capacidad óptima de %3 (%4): no se puede declarar</translation>
+    </message>
+    <message>
+        <source>%1 is outside the scope: the laboratory has no capability for it</source>
+        <translation>%1 queda fuera del alcance: el laboratorio no tiene capacidad para ello</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -23485,6 +23621,10 @@ Lo usan: %1. Tendrán un error hasta que usen otra cosa.</translation>
         <source>Context</source>
         <translation>Contexto</translation>
     </message>
+    <message>
+        <source>Laboratory</source>
+        <translation>Laboratorio</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::PropertiesPane</name>
@@ -23543,6 +23683,10 @@ Lo usan: %1. Tendrán un error hasta que usen otra cosa.</translation>
     <message>
         <source>Review</source>
         <translation>Revisión</translation>
+    </message>
+    <message>
+        <source>What can be evaluated with it</source>
+        <translation>Qué se puede evaluar con él</translation>
     </message>
 </context>
 <context>

@@ -19839,6 +19839,142 @@ sample 1; 2; 3 weights 2; 5; 2 (그대로 뽑음), histogram 0; 1; 2 weights 5; 
         <source>Histogram of the residuals</source>
         <translation>잔차의 히스토그램</translation>
     </message>
+    <message>
+        <source>Best measurement capability</source>
+        <translation>최고 측정 능력</translation>
+    </message>
+    <message>
+        <source>The smallest expanded uncertainties that a laboratory may state for a quantity (CMC), by ranges of its value. Certificates never state a smaller one.</source>
+        <translation>시험소가 한 양에 대해 기재할 수 있는 가장 작은 확장불확도(CMC)를 값의 범위별로 담습니다. 성적서는 이보다 작은 값을 기재하지 않습니다.</translation>
+    </message>
+    <message>
+        <source>It is for U of about 95 %. No evaluation depends on it: results and reports state what was evaluated, certificates what may be stated.</source>
+        <translation>약 95 %의 U에 대한 것입니다. 어떤 평가도 이에 의존하지 않습니다. 결과와 보고서는 평가된 값을, 성적서는 기재할 수 있는 값을 나타냅니다.</translation>
+    </message>
+    <message>
+        <source>A result for which the laboratory has no capability is outside its scope: certificates say so, and &quot;covaria check&quot; ends with status 3.</source>
+        <translation>시험소에 측정 능력이 없는 결과는 인정 범위 밖입니다. 성적서가 이를 알리고 &quot;covaria check&quot;는 상태 3으로 끝납니다.</translation>
+    </message>
+    <message>
+        <source>Of the results that it is for, and of the fixed part of U.</source>
+        <translation>적용되는 결과와 U의 고정 부분의 단위입니다.</translation>
+    </message>
+    <message>
+        <source>Symbols</source>
+        <translation>기호</translation>
+    </message>
+    <message>
+        <source>Of the results that it is for, with blanks between; empty: all results of that kind of unit.</source>
+        <translation>적용되는 결과의 기호로, 공백으로 구분합니다. 비우면 그 종류의 단위를 가진 모든 결과입니다.</translation>
+    </message>
+    <message>
+        <source>Ranges</source>
+        <translation>범위</translation>
+    </message>
+    <message>
+        <source>Value of</source>
+        <translation>다음의 값</translation>
+    </message>
+    <message>
+        <source>Symbol of the quantity that the ranges and the relative part refer to, as that of the nominal length where the result is a deviation; empty: the result itself.</source>
+        <translation>범위와 비례 부분이 가리키는 양의 기호입니다. 결과가 편차일 때의 호칭 길이 등이며, 비우면 결과 자체입니다.</translation>
+    </message>
+    <message>
+        <source>Unit of the range</source>
+        <translation>범위의 단위</translation>
+    </message>
+    <message>
+        <source>In which the ranges are given.</source>
+        <translation>범위를 나타내는 단위입니다.</translation>
+    </message>
+    <message>
+        <source>Expanded uncertainties (k = 2) that the accreditation states, by ranges; the first range that has the value counts.</source>
+        <translation>인정서에 있는 확장불확도(k = 2)를 범위별로 나타냅니다. 값이 든 첫 범위가 적용됩니다.</translation>
+    </message>
+    <message>
+        <source>Smallest value of the range, in the unit of the range.</source>
+        <translation>범위의 가장 작은 값, 범위의 단위로.</translation>
+    </message>
+    <message>
+        <source>Largest value of the range; it belongs to it.</source>
+        <translation>범위의 가장 큰 값이며, 범위에 속합니다.</translation>
+    </message>
+    <message>
+        <source>U, fixed part</source>
+        <translation>U, 고정 부분</translation>
+    </message>
+    <message>
+        <source>The part of U that does not depend on the value (a of a + b L), in the unit of the results.</source>
+        <translation>값에 의존하지 않는 U의 부분(a + b L의 a), 결과의 단위로.</translation>
+    </message>
+    <message>
+        <source>U, relative part</source>
+        <translation>U, 비례 부분</translation>
+    </message>
+    <message>
+        <source>The part of U in proportion to the value (b of a + b L): 0.5e-6 is 0.5 um in a metre.</source>
+        <translation>값에 비례하는 U의 부분(a + b L의 b): 0.5e-6은 1미터에 0.5 um입니다.</translation>
+    </message>
+    <message>
+        <source>Parts of U</source>
+        <translation>U의 부분</translation>
+    </message>
+    <message>
+        <source>Fixed and relative part of U.</source>
+        <translation>U의 고정 부분과 비례 부분입니다.</translation>
+    </message>
+    <message>
+        <source>are added: a + b L</source>
+        <translation>더함: a + b L</translation>
+    </message>
+    <message>
+        <source>in quadrature: Q[a; b L]</source>
+        <translation>제곱합: Q[a; b L]</translation>
+    </message>
+    <message>
+        <source>Smaller U</source>
+        <translation>더 작은 U</translation>
+    </message>
+    <message>
+        <source>A smaller U</source>
+        <translation>더 작은 U는</translation>
+    </message>
+    <message>
+        <source>What certificates state where the evaluated U is smaller.</source>
+        <translation>평가된 U가 더 작을 때 성적서가 기재하는 것입니다.</translation>
+    </message>
+    <message>
+        <source>is raised to it</source>
+        <translation>그 값으로 올림</translation>
+    </message>
+    <message>
+        <source>is not stated</source>
+        <translation>기재하지 않음</translation>
+    </message>
+    <message>
+        <source>the range ends below its beginning</source>
+        <translation>범위의 끝이 시작보다 작습니다</translation>
+    </message>
+    <message>
+        <source>the range has no U</source>
+        <translation>범위에 U가 없습니다</translation>
+    </message>
+    <message>
+        <source>a relative part of U needs ranges of the same kind of unit as the results</source>
+        <translation>U의 비례 부분에는 결과와 같은 종류의 단위를 가진 범위가 필요합니다</translation>
+    </message>
+    <message>
+        <source>U of %1, %2, is below the best capability (%4): certificates state %3</source>
+        <translation>%1의 U %2는 최고 측정 능력(%4)보다 작습니다: 성적서는 %3을(를) 기재합니다</translation>
+    </message>
+    <message>
+        <source>U of %1, %2, is below the best capability of %3 (%4): it may not be stated</source>
+        <translation>%1의 U %2는 최고 측정 능력 %3(%4)보다 작습니다: 기재할 수 없습니다</translation>
+    </message>
+    <message>
+        <source>%1 is outside the scope: the laboratory has no capability for it</source>
+        <translation>%1은(는) 인정 범위 밖입니다: 시험소에 이에 대한 측정 능력이 없습니다</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -23481,6 +23617,10 @@ It is used by: %1. They will have an error until they use something else.</sourc
         <source>Context</source>
         <translation>주변</translation>
     </message>
+    <message>
+        <source>Laboratory</source>
+        <translation>교정기관</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::PropertiesPane</name>
@@ -23539,6 +23679,10 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>Review</source>
         <translation>검토</translation>
+    </message>
+    <message>
+        <source>What can be evaluated with it</source>
+        <translation>이것으로 평가할 수 있는 것</translation>
     </message>
 </context>
 <context>

@@ -19840,6 +19840,142 @@ nu 18 atrás de qualquer um deles: graus de liberdade</translation>
         <source>Histogram of the residuals</source>
         <translation>Histograma dos resíduos</translation>
     </message>
+    <message>
+        <source>Best measurement capability</source>
+        <translation>Melhor capacidade de medição</translation>
+    </message>
+    <message>
+        <source>The smallest expanded uncertainties that a laboratory may state for a quantity (CMC), by ranges of its value. Certificates never state a smaller one.</source>
+        <translation>As menores incertezas expandidas que um laboratório pode declarar para uma grandeza (CMC), por faixas do seu valor. Os certificados nunca declaram uma menor.</translation>
+    </message>
+    <message>
+        <source>It is for U of about 95 %. No evaluation depends on it: results and reports state what was evaluated, certificates what may be stated.</source>
+        <translation>Vale para U de cerca de 95 %. Nenhuma avaliação depende dela: resultados e relatórios declaram o que foi avaliado; os certificados, o que pode ser declarado.</translation>
+    </message>
+    <message>
+        <source>A result for which the laboratory has no capability is outside its scope: certificates say so, and &quot;covaria check&quot; ends with status 3.</source>
+        <translation>Um resultado para o qual o laboratório não tem capacidade fica fora do seu escopo: os certificados o dizem e &quot;covaria check&quot; termina com o status 3.</translation>
+    </message>
+    <message>
+        <source>Of the results that it is for, and of the fixed part of U.</source>
+        <translation>Dos resultados para os quais vale e da parte fixa de U.</translation>
+    </message>
+    <message>
+        <source>Symbols</source>
+        <translation>Símbolos</translation>
+    </message>
+    <message>
+        <source>Of the results that it is for, with blanks between; empty: all results of that kind of unit.</source>
+        <translation>Dos resultados para os quais vale, separados por espaços; vazio: todos os resultados com esse tipo de unidade.</translation>
+    </message>
+    <message>
+        <source>Ranges</source>
+        <translation>Faixas</translation>
+    </message>
+    <message>
+        <source>Value of</source>
+        <translation>Valor de</translation>
+    </message>
+    <message>
+        <source>Symbol of the quantity that the ranges and the relative part refer to, as that of the nominal length where the result is a deviation; empty: the result itself.</source>
+        <translation>Símbolo da grandeza a que se referem as faixas e a parte relativa, como o comprimento nominal quando o resultado é um desvio; vazio: o próprio resultado.</translation>
+    </message>
+    <message>
+        <source>Unit of the range</source>
+        <translation>Unidade da faixa</translation>
+    </message>
+    <message>
+        <source>In which the ranges are given.</source>
+        <translation>Na qual as faixas são dadas.</translation>
+    </message>
+    <message>
+        <source>Expanded uncertainties (k = 2) that the accreditation states, by ranges; the first range that has the value counts.</source>
+        <translation>Incertezas expandidas (k = 2) da acreditação, por faixas; conta a primeira que contém o valor.</translation>
+    </message>
+    <message>
+        <source>Smallest value of the range, in the unit of the range.</source>
+        <translation>Menor valor da faixa, na unidade da faixa.</translation>
+    </message>
+    <message>
+        <source>Largest value of the range; it belongs to it.</source>
+        <translation>Maior valor da faixa; pertence a ela.</translation>
+    </message>
+    <message>
+        <source>U, fixed part</source>
+        <translation>U, parte fixa</translation>
+    </message>
+    <message>
+        <source>The part of U that does not depend on the value (a of a + b L), in the unit of the results.</source>
+        <translation>A parte de U que não depende do valor (a em a + b L), na unidade dos resultados.</translation>
+    </message>
+    <message>
+        <source>U, relative part</source>
+        <translation>U, parte relativa</translation>
+    </message>
+    <message>
+        <source>The part of U in proportion to the value (b of a + b L): 0.5e-6 is 0.5 um in a metre.</source>
+        <translation>A parte de U proporcional ao valor (b em a + b L): 0.5e-6 são 0.5 um em um metro.</translation>
+    </message>
+    <message>
+        <source>Parts of U</source>
+        <translation>Partes de U</translation>
+    </message>
+    <message>
+        <source>Fixed and relative part of U.</source>
+        <translation>Parte fixa e parte relativa de U.</translation>
+    </message>
+    <message>
+        <source>are added: a + b L</source>
+        <translation>são somadas: a + b L</translation>
+    </message>
+    <message>
+        <source>in quadrature: Q[a; b L]</source>
+        <translation>em quadratura: Q[a; b L]</translation>
+    </message>
+    <message>
+        <source>Smaller U</source>
+        <translation>U menor</translation>
+    </message>
+    <message>
+        <source>A smaller U</source>
+        <translation>Uma U menor</translation>
+    </message>
+    <message>
+        <source>What certificates state where the evaluated U is smaller.</source>
+        <translation>O que os certificados declaram onde a U avaliada é menor.</translation>
+    </message>
+    <message>
+        <source>is raised to it</source>
+        <translation>é elevada a ela</translation>
+    </message>
+    <message>
+        <source>is not stated</source>
+        <translation>não é declarada</translation>
+    </message>
+    <message>
+        <source>the range ends below its beginning</source>
+        <translation>a faixa termina abaixo do seu início</translation>
+    </message>
+    <message>
+        <source>the range has no U</source>
+        <translation>a faixa não tem U</translation>
+    </message>
+    <message>
+        <source>a relative part of U needs ranges of the same kind of unit as the results</source>
+        <translation>uma parte relativa de U precisa de faixas com o mesmo tipo de unidade dos resultados</translation>
+    </message>
+    <message>
+        <source>U of %1, %2, is below the best capability (%4): certificates state %3</source>
+        <translation>U de %1, %2, está abaixo da melhor capacidade (%4): os certificados declaram %3</translation>
+    </message>
+    <message>
+        <source>U of %1, %2, is below the best capability of %3 (%4): it may not be stated</source>
+        <translation>U de %1, %2, está abaixo da melhor capacidade de %3 (%4): não pode ser declarada</translation>
+    </message>
+    <message>
+        <source>%1 is outside the scope: the laboratory has no capability for it</source>
+        <translation>%1 está fora do escopo: o laboratório não tem capacidade para isso</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -23485,6 +23621,10 @@ It is used by: %1. They will have an error until they use something else.</sourc
         <source>Context</source>
         <translation>Contexto</translation>
     </message>
+    <message>
+        <source>Laboratory</source>
+        <translation>Laboratório</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::PropertiesPane</name>
@@ -23543,6 +23683,10 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>Review</source>
         <translation>Revisão</translation>
+    </message>
+    <message>
+        <source>What can be evaluated with it</source>
+        <translation>O que pode ser avaliado com ele</translation>
     </message>
 </context>
 <context>

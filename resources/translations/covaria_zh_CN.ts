@@ -19839,6 +19839,142 @@ sample 1; 2; 3 weights 2; 5; 2（按原样抽取），histogram 0; 1; 2 weights 
         <source>Histogram of the residuals</source>
         <translation>残差的直方图</translation>
     </message>
+    <message>
+        <source>Best measurement capability</source>
+        <translation>最佳测量能力</translation>
+    </message>
+    <message>
+        <source>The smallest expanded uncertainties that a laboratory may state for a quantity (CMC), by ranges of its value. Certificates never state a smaller one.</source>
+        <translation>实验室对某个量可以给出的最小扩展不确定度（CMC），按其值的范围列出。证书从不给出更小的值。</translation>
+    </message>
+    <message>
+        <source>It is for U of about 95 %. No evaluation depends on it: results and reports state what was evaluated, certificates what may be stated.</source>
+        <translation>它针对约 95 % 的 U。任何评定都不依赖它：结果和报告给出评定值，证书给出可以给出的值。</translation>
+    </message>
+    <message>
+        <source>A result for which the laboratory has no capability is outside its scope: certificates say so, and &quot;covaria check&quot; ends with status 3.</source>
+        <translation>实验室没有相应能力的结果超出其范围：证书会说明，“covaria check”以状态 3 结束。</translation>
+    </message>
+    <message>
+        <source>Of the results that it is for, and of the fixed part of U.</source>
+        <translation>所适用的结果以及 U 的固定部分的单位。</translation>
+    </message>
+    <message>
+        <source>Symbols</source>
+        <translation>符号</translation>
+    </message>
+    <message>
+        <source>Of the results that it is for, with blanks between; empty: all results of that kind of unit.</source>
+        <translation>所适用结果的符号，以空格分隔；空：该类单位的所有结果。</translation>
+    </message>
+    <message>
+        <source>Ranges</source>
+        <translation>范围</translation>
+    </message>
+    <message>
+        <source>Value of</source>
+        <translation>其值取自</translation>
+    </message>
+    <message>
+        <source>Symbol of the quantity that the ranges and the relative part refer to, as that of the nominal length where the result is a deviation; empty: the result itself.</source>
+        <translation>范围和比例部分所指的量的符号，例如结果为偏差时的标称长度；空：结果本身。</translation>
+    </message>
+    <message>
+        <source>Unit of the range</source>
+        <translation>范围的单位</translation>
+    </message>
+    <message>
+        <source>In which the ranges are given.</source>
+        <translation>给出范围所用的单位。</translation>
+    </message>
+    <message>
+        <source>Expanded uncertainties (k = 2) that the accreditation states, by ranges; the first range that has the value counts.</source>
+        <translation>认可所列的扩展不确定度（k = 2），按范围列出；以第一个包含该值的范围为准。</translation>
+    </message>
+    <message>
+        <source>Smallest value of the range, in the unit of the range.</source>
+        <translation>范围的最小值，以范围的单位表示。</translation>
+    </message>
+    <message>
+        <source>Largest value of the range; it belongs to it.</source>
+        <translation>范围的最大值；属于该范围。</translation>
+    </message>
+    <message>
+        <source>U, fixed part</source>
+        <translation>U，固定部分</translation>
+    </message>
+    <message>
+        <source>The part of U that does not depend on the value (a of a + b L), in the unit of the results.</source>
+        <translation>U 中不依赖于值的部分（a + b L 中的 a），以结果的单位表示。</translation>
+    </message>
+    <message>
+        <source>U, relative part</source>
+        <translation>U，比例部分</translation>
+    </message>
+    <message>
+        <source>The part of U in proportion to the value (b of a + b L): 0.5e-6 is 0.5 um in a metre.</source>
+        <translation>U 中与值成正比的部分（a + b L 中的 b）：0.5e-6 即每米 0.5 um。</translation>
+    </message>
+    <message>
+        <source>Parts of U</source>
+        <translation>U 的组成部分</translation>
+    </message>
+    <message>
+        <source>Fixed and relative part of U.</source>
+        <translation>U 的固定部分和比例部分。</translation>
+    </message>
+    <message>
+        <source>are added: a + b L</source>
+        <translation>相加：a + b L</translation>
+    </message>
+    <message>
+        <source>in quadrature: Q[a; b L]</source>
+        <translation>平方和：Q[a; b L]</translation>
+    </message>
+    <message>
+        <source>Smaller U</source>
+        <translation>更小的 U</translation>
+    </message>
+    <message>
+        <source>A smaller U</source>
+        <translation>更小的 U</translation>
+    </message>
+    <message>
+        <source>What certificates state where the evaluated U is smaller.</source>
+        <translation>评定的 U 更小时证书给出什么。</translation>
+    </message>
+    <message>
+        <source>is raised to it</source>
+        <translation>提高到该值</translation>
+    </message>
+    <message>
+        <source>is not stated</source>
+        <translation>不给出</translation>
+    </message>
+    <message>
+        <source>the range ends below its beginning</source>
+        <translation>范围的终点低于起点</translation>
+    </message>
+    <message>
+        <source>the range has no U</source>
+        <translation>该范围没有 U</translation>
+    </message>
+    <message>
+        <source>a relative part of U needs ranges of the same kind of unit as the results</source>
+        <translation>U 的比例部分需要与结果同类单位的范围</translation>
+    </message>
+    <message>
+        <source>U of %1, %2, is below the best capability (%4): certificates state %3</source>
+        <translation>%1 的 U（%2）低于最佳测量能力（%4）：证书给出 %3</translation>
+    </message>
+    <message>
+        <source>U of %1, %2, is below the best capability of %3 (%4): it may not be stated</source>
+        <translation>%1 的 U（%2）低于最佳测量能力 %3（%4）：不可给出</translation>
+    </message>
+    <message>
+        <source>%1 is outside the scope: the laboratory has no capability for it</source>
+        <translation>%1 超出认可范围：实验室对此没有测量能力</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -23481,6 +23617,10 @@ It is used by: %1. They will have an error until they use something else.</sourc
         <source>Context</source>
         <translation>环境</translation>
     </message>
+    <message>
+        <source>Laboratory</source>
+        <translation>实验室</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::PropertiesPane</name>
@@ -23539,6 +23679,10 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>Review</source>
         <translation>审核</translation>
+    </message>
+    <message>
+        <source>What can be evaluated with it</source>
+        <translation>可用它评定什么</translation>
     </message>
 </context>
 <context>

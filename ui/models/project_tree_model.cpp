@@ -202,9 +202,9 @@ QVariant ProjectTreeModel::category_data(int category, int column, int role) con
     if (role == category_role) return category;
     if (category == project_row) return project_data(column, role);
     if (role != Qt::DisplayRole || column != name_column) return {};
-    const std::array<QString, category_count> names{QString(),     tr("Artefacts"),         tr("Instruments"),
-                                                    tr("Robots"),  tr("Points and frames"), tr("Context"),
-                                                    tr("Analyses")};
+    const std::array<QString, category_count> names{
+        QString(),     tr("Artefacts"),  tr("Instruments"), tr("Robots"), tr("Points and frames"),
+        tr("Context"), tr("Laboratory"), tr("Analyses")};
     return names[static_cast<std::size_t>(category)];
 }
 

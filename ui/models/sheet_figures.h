@@ -9,13 +9,10 @@
 #include <vector>
 
 #include "core/result/uncertainty_result.h"
+#include "core/text/readable_unit.h"
 #include "core/text/table.h"
 
 namespace covaria::ui {
-
-/// `usual`, or of the units that differ from it by powers of 1000 the one in which an interval of `si` has
-/// one to three digits before the point.
-Unit readable_unit(double si, const Unit& usual);
 
 /// The unit in which the output's standard uncertainty by the law of propagation is read best: a prefix of
 /// the one that `units` has for it.

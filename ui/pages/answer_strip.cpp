@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "core/project/stated_requirements.h"
+#include "core/report/stated_uncertainty.h"
 #include "core/result/representation.h"
 #include "core/text/numbers.h"
 #include "ui/document/missing_fields.h"
@@ -214,7 +215,11 @@ QString AnswerStrip::state_words() const {
     }
     if (!status.result)
         return status.prepared ? tr("Not evaluated yet: press F5.") : tr("The analysis has problems.");
-    return result_state_words(status, runner_.is_live());
+    QString words = result_state_words(status, runner_.is_live());
+    for (const CapabilityFinding& finding : capability_findings(*runner_.made(), *status.result))
+        if (static_cast<int>(finding.output) == selection_.output())
+            words += QStringLiteral("; ") + to_qt(finding.words);
+    return words;
 }
 
 void AnswerStrip::show_next_step() {

@@ -42,6 +42,7 @@ QString icon_of_category(const AssetEntry& asset) {
             return QStringLiteral("points");
         case AssetCategory::artefact:
         case AssetCategory::context:
+        case AssetCategory::laboratory:
             break;
     }
     return QStringLiteral("artefact");

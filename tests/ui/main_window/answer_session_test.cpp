@@ -33,6 +33,11 @@ protected:
         wait_until_idle();
         settle();
     }
+    void keep_picture(const char* name) {
+        settle();
+        window_->grab().save(
+            QStringLiteral(COVARIA_BINARY_DIR "/screenshots/%1.png").arg(QLatin1String(name)));
+    }
     void require(const std::string& symbol, const Quantity& target) {
         window_->document().apply(QStringLiteral("Require"), [&](Project& project) {
             Requirement wanted;
@@ -59,6 +64,23 @@ TEST_F(AnswerSession, OneOutputIsStatedAsInACertificate) {
     EXPECT_EQ(
         to_std(QGuiApplication::clipboard()->text()),
         output.quantity.symbol + " = " + result_statement(output, *status().result, language_of_window()));
+}
+
+TEST_F(AnswerSession, AUBelowTheLaboratorysBestCapabilityIsSaid) {
+    open_and_wait(QStringLiteral("certificate-gauge-block"));
+    EXPECT_FALSE(answer().state().text().contains(QStringLiteral("best capability")));
+    SetupTable ranges;
+    ranges.units.assign(4, Unit{});
+    ranges.rows = {{0.0, 100.0, 0.08, 0.0}};
+    window_->document().apply(QStringLiteral("Capability"), [&](Project& project) {
+        AssetEntry capability{"cmc", "best-capability", "Gauge blocks", {}, {}};
+        capability.setup.values = {{"unit", std::string("um")}, {"ranges", ranges}};
+        project.assets.push_back(capability);
+    });
+    EXPECT_TRUE(wait_for([this] {
+        return answer().state().text().contains(QStringLiteral("certificates state 80 nm"));
+    })) << to_std(answer().state().text());
+    keep_picture("answer-capability");
 }
 
 TEST_F(AnswerSession, OfAPoseTheLargestUncertaintyOfEachKindIsTheAnswer) {

@@ -1,0 +1,116 @@
+#include "core/report/stated_uncertainty.h"
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "core/model/best_capability.h"
+#include "core/text/numbers.h"
+#include "core/text/readable_unit.h"
+#include "core/views/result_words.h"
+
+namespace covaria {
+
+namespace {
+
+struct NamedCapability {
+    std::string name;
+    const BestCapability* capability;
+};
+
+std::vector<NamedCapability> capabilities_of(const MadeProject& made) {
+    std::vector<NamedCapability> found;
+    for (const AssetEntry& asset : made.project().assets) {
+        const AssetLibrary::Entry* entry = made.assets().find(asset.id);
+        if (const auto* capability = entry ? offers<BestCapability>(entry->asset) : nullptr)
+            found.push_back({asset.name, capability});
+    }
+    return found;
+}
+
+/// The value that decides: of the result, of another one (of its group before others), of an input.
+std::optional<double> deciding_value(const BestCapability& capability, const UncertaintyResult& result,
+                                     const OutputResult& output) {
+    const std::string& symbol = capability.over();
+    if (symbol.empty()) return output.estimate;
+    std::optional<double> found;
+    for (const OutputResult& other : result.outputs)
+        if (other.quantity.symbol == symbol && (!found || other.quantity.group == output.quantity.group))
+            found = other.estimate;
+    if (found) return found;
+    const std::size_t input = result.inputs->find(symbol);
+    return input == InputSet::npos ? std::nullopt : std::optional(estimate_of(result.inputs, input));
+}
+
+std::string in_words(double U, const Unit& usual) {
+    const Unit unit = readable_unit(U, usual);
+    return format_significant(unit.interval_from_si(U), 2) + " " + unit.text();
+}
+
+class Findings {
+public:
+    Findings(const MadeProject& made, const UncertaintyResult& result)
+        : capabilities_(capabilities_of(made)), result_(result) {}
+
+    std::vector<CapabilityFinding> find() {
+        if (capabilities_.empty()) return {};
+        for (std::size_t i = 0; i < result_.outputs.size(); ++i)
+            if (result_words::is_measurand(result_.outputs[i])) judge(i);
+        return std::move(found_);
+    }
+
+private:
+    void judge(std::size_t i) {
+        const OutputResult& output = result_.outputs[i];
+        const Message name = result_words::output_label(output.quantity);
+        for (const auto& [of, capability] : capabilities_) {
+            if (!capability->is_about(output.quantity)) continue;
+            const auto value = deciding_value(*capability, result_, output);
+            const auto smallest = value ? capability->smallest(*value) : std::nullopt;
+            if (!smallest) continue;
+            if (!(output.expanded_uncertainty < *smallest)) return;
+            const Unit& unit = output.quantity.unit;
+            const std::string U = in_words(output.expanded_uncertainty, unit);
+            const std::string least = in_words(*smallest, unit);
+            found_.push_back(
+                {i, capability->raises() ? CapabilityVerdict::raised : CapabilityVerdict::refused, *smallest,
+                 capability->raises()
+                     ? tell<"U of %1, %2, is below the best capability (%4): certificates state %3">(
+                           name, U, least, of)
+                     : tell<"U of %1, %2, is below the best capability of %3 (%4): it may not be stated">(
+                           name, U, least, of)});
+            return;
+        }
+        found_.push_back({i, CapabilityVerdict::outside, 0.0,
+                          tell<"%1 is outside the scope: the laboratory has no capability for it">(name)});
+    }
+
+    std::vector<NamedCapability> capabilities_;
+    const UncertaintyResult& result_;
+    std::vector<CapabilityFinding> found_;
+};
+
+}  // namespace
+
+std::vector<CapabilityFinding> capability_findings(const MadeProject& made, const UncertaintyResult& result) {
+    return Findings(made, result).find();
+}
+
+std::vector<EvaluatedAnalysis> as_stated(const MadeProject& made, std::vector<EvaluatedAnalysis> analyses) {
+    for (EvaluatedAnalysis& one : analyses) {
+        const std::vector<CapabilityFinding> findings = capability_findings(made, *one.result);
+        if (findings.empty()) continue;
+        auto stated = std::make_shared<UncertaintyResult>(*one.result);
+        for (const CapabilityFinding& finding : findings) {
+            OutputResult& output = stated->outputs[finding.output];
+            if (finding.verdict == CapabilityVerdict::raised) output.expanded_uncertainty = finding.smallest;
+            if (finding.verdict == CapabilityVerdict::refused)
+                output.quantity.role = OutputRole::intermediate;
+        }
+        one.result = std::move(stated);
+    }
+    return analyses;
+}
+
+}  // namespace covaria
