@@ -12,7 +12,7 @@ namespace covaria {
 /// Offered by an asset; documents and checks ask for it, models do not.
 class BestCapability : public Capability {
 public:
-    static constexpr const char* capability = "best-capability";
+    static constexpr const char* capability = "smallest-uncertainty";
 
     /// Whether it is for results of this symbol and unit.
     virtual bool is_about(const OutputQuantity& output) const = 0;
