@@ -7,184 +7,26 @@
 #include <memory>
 #include <mutex>
 #include <numeric>
-#include <optional>
 
-#include "core/adjustment/adjustment.h"
+#include "core/evidence/weighing.h"
 #include "core/math/special_quantiles.h"
 
 namespace covaria::evidence {
 
 namespace {
 
-using adjustment::Adjustment;
-using adjustment::SparseRows;
-
-constexpr double least_seen = 1e-4;    ///< redundancy of a figure that has an estimate at all
+/// Redundancy, as stated, of a figure that has an estimate at all. Below it factor² would be uncertain by
+/// more than four times itself; it runs away, and takes from others what they are seen by.
+constexpr double least_seen = 0.1;
 constexpr double least_apart = 1e-6;   ///< eigenvalue of N, of unit diagonal, along which nothing is told
 constexpr double least_square = 1e-8;  ///< a component that is smaller is held there, and is zero
 constexpr double at_rest = 1e-10;      ///< relative change of a component
 constexpr int most_rounds = 400;
-constexpr int undamped_rounds = 40;  ///< components that go to and fro come to rest in half steps
-constexpr std::size_t none = RedundantReadings::no_figure;
-
-/// Sums over M = Q⁻¹R with the components as they are now, by figures.
-struct Sums {
-    Eigen::MatrixXd squares;     ///< tr(M Q_k M Q_l)
-    Eigen::VectorXd redundancy;  ///< tr(M Q_k)
-    Eigen::VectorXd residuals;   ///< vᵀ Q⁻¹ Q_k Q⁻¹ v
-};
-
-/// The readings with the variance of each figure times a factor.
-class Weighing {
-public:
-    virtual ~Weighing() = default;
-    virtual std::optional<Sums> sums(const Eigen::VectorXd& square) const = 0;
-    /// Root mean square of the u of the measurands.
-    virtual std::optional<double> mean_u(const Eigen::VectorXd& square) const = 0;
-    virtual double sum_of_squares() const = 0;
-    virtual int degrees_of_freedom() const = 0;
-};
-
-/// Weighing of readings with one figure each: in readings of standard uncertainty one, M is the residual
-/// projector P = I - H, and a figure's part of it is some of its rows.
-class WeighingApart : public Weighing {
-public:
-    explicit WeighingApart(const RedundantReadings& readings)
-        : readings_(readings), stated_(readings.design, readings.whitening, readings.datum) {}
-
-    std::optional<Sums> sums(const Eigen::VectorXd& square) const override {
-        const SparseRows W = whitening(square);
-        const Adjustment adjusted(readings_.design, W, readings_.datum);
-        if (!adjusted.is_solved()) return std::nullopt;
-        const SparseRows& A = adjusted.whitened();
-        const Eigen::VectorXd before = W * readings_.residuals;
-        const Eigen::VectorXd v = before - A * adjusted.step(A.transpose() * before);
-        const Eigen::Index n = square.size();
-        Sums sums{Eigen::MatrixXd::Zero(n, n), Eigen::VectorXd::Zero(n), Eigen::VectorXd::Zero(n)};
-        for (Eigen::Index i = 0; i < v.size(); ++i) {
-            const std::size_t of = figure_of(i);
-            if (of == none) continue;
-            const auto k = static_cast<Eigen::Index>(of);
-            Eigen::VectorXd row = -(A * adjusted.step(Eigen::VectorXd(A.row(i).transpose())));
-            row[i] += 1.0;
-            sums.redundancy[k] += row[i];
-            sums.residuals[k] += v[i] * v[i];
-            for (Eigen::Index j = 0; j < row.size(); ++j)
-                if (const std::size_t to = figure_of(j); to != none)
-                    sums.squares(k, static_cast<Eigen::Index>(to)) += row[j] * row[j];
-        }
-        return sums;
-    }
-
-    std::optional<double> mean_u(const Eigen::VectorXd& square) const override {
-        const Adjustment adjusted(readings_.design, whitening(square), readings_.datum);
-        if (!adjusted.is_solved()) return std::nullopt;
-        double sum = 0.0;
-        for (const std::size_t i : readings_.measurands) sum += adjusted.cofactor(i, i);
-        return std::sqrt(sum / static_cast<double>(std::max<std::size_t>(1, readings_.measurands.size())));
-    }
-
-    double sum_of_squares() const override {
-        return (readings_.whitening * readings_.residuals).squaredNorm();
-    }
-    int degrees_of_freedom() const override { return stated_.is_solved() ? stated_.degrees_of_freedom() : 0; }
-
-private:
-    std::size_t figure_of(Eigen::Index reading) const {
-        return readings_.figure_of[static_cast<std::size_t>(reading)];
-    }
-    SparseRows whitening(const Eigen::VectorXd& square) const {
-        Eigen::VectorXd by = Eigen::VectorXd::Ones(readings_.residuals.size());
-        for (Eigen::Index i = 0; i < by.size(); ++i)
-            if (const std::size_t k = figure_of(i); k != none)
-                by[i] = 1.0 / std::sqrt(square[static_cast<Eigen::Index>(k)]);
-        return by.asDiagonal() * readings_.whitening;
-    }
-
-    const RedundantReadings& readings_;
-    const Adjustment stated_;
-};
-
-/// Readings share components of uncertainty: the matrices are what they are. All unknowns are determined.
-class WeighingTogether : public Weighing {
-public:
-    explicit WeighingTogether(const RedundantReadings& readings)
-        : readings_(readings), design_(readings.design) {}
-
-    std::optional<Sums> sums(const Eigen::VectorXd& square) const override {
-        const auto weights = weights_of(square);
-        if (!weights) return std::nullopt;
-        const Eigen::MatrixXd& M = weights->residual;
-        const Eigen::VectorXd Mv = M * readings_.residuals;
-        const Eigen::Index n = square.size();
-        Sums sums{Eigen::MatrixXd::Zero(n, n), Eigen::VectorXd::Zero(n), Eigen::VectorXd::Zero(n)};
-        for (Eigen::Index k = 0; k < n; ++k) {
-            const Eigen::MatrixXd& B = readings_.shares[static_cast<std::size_t>(k)];
-            const Eigen::MatrixXd BtM = B.transpose() * M;
-            sums.redundancy[k] = square[k] * BtM.cwiseProduct(B.transpose()).sum();
-            sums.residuals[k] = square[k] * (B.transpose() * Mv).squaredNorm();
-            for (Eigen::Index l = 0; l < n; ++l)
-                sums.squares(k, l) = square[k] * square[l] *
-                                     (BtM * readings_.shares[static_cast<std::size_t>(l)]).squaredNorm();
-        }
-        return sums;
-    }
-
-    std::optional<double> mean_u(const Eigen::VectorXd& square) const override {
-        const auto weights = weights_of(square);
-        if (!weights) return std::nullopt;
-        double sum = 0.0;
-        for (const std::size_t i : readings_.measurands)
-            sum += weights->cofactors(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(i));
-        return std::sqrt(sum / static_cast<double>(std::max<std::size_t>(1, readings_.measurands.size())));
-    }
-
-    double sum_of_squares() const override {
-        const auto weights =
-            weights_of(Eigen::VectorXd::Ones(static_cast<Eigen::Index>(readings_.shares.size())));
-        return weights ? readings_.residuals.dot(weights->residual * readings_.residuals) : 0.0;
-    }
-    int degrees_of_freedom() const override { return static_cast<int>(design_.rows() - design_.cols()); }
-
-private:
-    struct Weights {
-        Eigen::MatrixXd residual;   ///< M
-        Eigen::MatrixXd cofactors;  ///< cofactors of the unknowns
-    };
-
-    std::optional<Weights> weights_of(const Eigen::VectorXd& square) const {
-        Eigen::MatrixXd Q = Eigen::MatrixXd::Zero(design_.rows(), design_.rows());
-        if (readings_.others.size() > 0) Q = readings_.others * readings_.others.transpose();
-        for (std::size_t k = 0; k < readings_.shares.size(); ++k)
-            Q += square[static_cast<Eigen::Index>(k)] * readings_.shares[k] * readings_.shares[k].transpose();
-        // Lengths and angles stand in one matrix: in units of their own standard uncertainties.
-        const Eigen::VectorXd by = Q.diagonal().cwiseSqrt().cwiseInverse();
-        if (!by.allFinite()) return std::nullopt;
-        const Eigen::LLT<Eigen::MatrixXd> factors(by.asDiagonal() * Q * by.asDiagonal());
-        if (factors.info() != Eigen::Success) return std::nullopt;
-        const Eigen::MatrixXd L_A = factors.matrixL().solve(by.asDiagonal() * design_);
-        const Eigen::VectorXd scale = L_A.colwise().norm().cwiseInverse();
-        if (!scale.allFinite()) return std::nullopt;
-        const Eigen::HouseholderQR<Eigen::MatrixXd> qr(L_A * scale.asDiagonal());
-        const Eigen::Index n = design_.cols();
-        const Eigen::MatrixXd R = qr.matrixQR().topRows(n).triangularView<Eigen::Upper>();
-        const Eigen::MatrixXd thin = qr.householderQ() * Eigen::MatrixXd::Identity(design_.rows(), n);
-        const Eigen::MatrixXd projector =
-            Eigen::MatrixXd::Identity(design_.rows(), design_.rows()) - thin * thin.transpose();
-        const Eigen::MatrixXd inverse = factors.matrixL().solve(Eigen::MatrixXd(by.asDiagonal()));
-        const Eigen::MatrixXd by_R = R.triangularView<Eigen::Upper>().solve(Eigen::MatrixXd::Identity(n, n));
-        const Eigen::MatrixXd root = scale.asDiagonal() * by_R;
-        return Weights{inverse.transpose() * projector * inverse, root * root.transpose()};
-    }
-
-    const RedundantReadings& readings_;
-    const Eigen::MatrixXd design_;
-};
-
-std::unique_ptr<Weighing> weighing_of(const RedundantReadings& readings) {
-    if (readings.shares.empty()) return std::make_unique<WeighingApart>(readings);
-    return std::make_unique<WeighingTogether>(readings);
-}
+constexpr int undamped_rounds = 40;   ///< components that go to and fro come to rest in shorter steps
+constexpr double longest_step = 0.3;  ///< relative change that is taken by the observed curvature
+constexpr double uphill = 1e-6;       ///< relative slope of the likelihood at zero that lets a component go
+constexpr double released_square = 0.01;  ///< where it begins anew, each time nearer to zero
+constexpr int most_releases = 2;          ///< of each component
 
 /// The variance components as they come to rest; figures that cannot be told apart are one class.
 class Components {
@@ -199,8 +41,8 @@ public:
             start();
             bool joined = false;
             for (int round = 0; round < most_rounds && !joined; ++round) {
-                if (!sum() || !solve(round < undamped_rounds ? 1.0 : 0.5, joined)) return false;
-                if (!joined && change_ < at_rest) return true;
+                if (!sum() || !solve(round, joined)) return false;
+                if (!joined && change_ < at_rest && !release()) return true;
             }
             if (!joined) return false;
         }
@@ -238,32 +80,40 @@ private:
         square_ = Eigen::VectorXd::Ones(n);
         u_square_ = Eigen::VectorXd::Zero(n);
         state_.assign(count_, State::estimated);
+        releases_.assign(count_, 0);
+        last_ = Eigen::VectorXd::Zero(n);
+        damping_ = 1.0;
     }
 
     /// Sums of the figures of each class.
     bool sum() {
         const auto by_figure = weighing_.sums(square_of_figures());
         if (!by_figure) return false;
-        const auto n = static_cast<Eigen::Index>(count_);
-        sums_ = {Eigen::MatrixXd::Zero(n, n), Eigen::VectorXd::Zero(n), Eigen::VectorXd::Zero(n)};
+        sums_ = Sums(static_cast<Eigen::Index>(count_));
         for (std::size_t a = 0; a < of_figure_.size(); ++a) {
             const auto i = static_cast<Eigen::Index>(a), k = static_cast<Eigen::Index>(of_figure_[a]);
             sums_.redundancy[k] += by_figure->redundancy[i];
             sums_.residuals[k] += by_figure->residuals[i];
-            for (std::size_t b = 0; b < of_figure_.size(); ++b)
-                sums_.squares(k, static_cast<Eigen::Index>(of_figure_[b])) +=
-                    by_figure->squares(i, static_cast<Eigen::Index>(b));
+            for (std::size_t b = 0; b < of_figure_.size(); ++b) {
+                const auto j = static_cast<Eigen::Index>(b), l = static_cast<Eigen::Index>(of_figure_[b]);
+                sums_.squares(k, l) += by_figure->squares(i, j);
+                sums_.observed(k, l) += by_figure->observed(i, j);
+            }
         }
         return true;
     }
 
-    /// Factors of the components by one solution of N s = l; false: nothing has redundancy. `joined`: classes
-    /// that N cannot tell apart have become one. `step`: the part of the way that is gone.
-    bool solve(double step, bool& joined) {
+    /// One step of the components towards the likeliest; false: nothing has redundancy. `joined`: classes
+    /// that N cannot tell apart have become one.
+    bool solve(int round, bool& joined) {
         std::vector<Eigen::Index> asked;
         for (std::size_t k = 0; k < count_; ++k) {
             const auto at = static_cast<Eigen::Index>(k);
-            if (state_[k] == State::estimated && sums_.redundancy[at] < least_seen) state_[k] = State::unseen;
+            // A component that becomes small beside others loses its redundancy, and is not unseen for that.
+            if (state_[k] == State::estimated && sums_.redundancy[at] < least_seen && square_[at] >= 1.0) {
+                state_[k] = State::unseen;
+                square_[at] = 1.0;
+            }
             if (state_[k] == State::estimated) asked.push_back(at);
         }
         change_ = 0.0;
@@ -271,34 +121,62 @@ private:
         const Eigen::MatrixXd N = 0.5 * sums_.squares(asked, asked);
         joined = join(N, asked);
         if (joined) return true;
-        // Components that are held count with the variance that they have.
-        Eigen::VectorXd l = 0.5 * sums_.residuals(asked);
-        for (std::size_t a = 0; a < asked.size(); ++a)
-            l[static_cast<Eigen::Index>(a)] -= 0.5 * held_share(asked[a]);
         const Eigen::LDLT<Eigen::MatrixXd> factors(N);
-        const Eigen::VectorXd s = factors.solve(l);
         const Eigen::MatrixXd covariance = factors.solve(Eigen::MatrixXd::Identity(N.rows(), N.cols()));
-        if (!s.allFinite()) return false;
+        const Eigen::VectorXd step = step_of(asked, factors, round);
+        if (!step.allFinite()) return false;
         for (std::size_t a = 0; a < asked.size(); ++a) {
             const auto at = static_cast<Eigen::Index>(a);
             const Eigen::Index k = asked[a];
-            change_ = std::max(change_, std::abs(s[at] - 1.0));
             u_square_[k] = square_[k] * std::sqrt(std::max(0.0, covariance(at, at)));
-            square_[k] *= std::max(1.0 + step * (s[at] - 1.0), 0.05);
-            if (square_[k] > least_square) continue;
-            square_[k] = least_square;
-            state_[static_cast<std::size_t>(k)] = State::clamped;
+            square_[k] *= std::max(1.0 + step[at], 0.05);
+            if (square_[k] <= least_square) clamp(static_cast<std::size_t>(k));
         }
         return true;
     }
 
-    /// tr(M Q_k M Q_held) of all that is not estimated: tr(M Q_k) is that of the whole, as M Q M = M.
-    double held_share(Eigen::Index k) const {
-        double share = sums_.redundancy[k];
-        for (std::size_t other = 0; other < count_; ++other)
-            if (state_[other] == State::estimated)
-                share -= sums_.squares(k, static_cast<Eigen::Index>(other));
-        return std::max(0.0, share);
+    void clamp(std::size_t k) {
+        square_[static_cast<Eigen::Index>(k)] = least_square;
+        state_[k] = State::clamped;
+    }
+
+    /// Relative changes of components. N s = l is solved by 1 + N⁻¹ g, g: slopes of the likelihood; all that
+    /// is not asked counts with the variance that it has. Where the likelihood bends down and is nearly at
+    /// its top, its observed curvature takes the place of N: with little redundancy the two differ, and steps
+    /// by N creep, or go to and fro for ever.
+    Eigen::VectorXd step_of(const std::vector<Eigen::Index>& asked, const Eigen::LDLT<Eigen::MatrixXd>& by_N,
+                            int round) {
+        const Eigen::VectorXd slopes = 0.5 * (sums_.residuals - sums_.redundancy)(asked);
+        Eigen::VectorXd step = by_N.solve(slopes);
+        const Eigen::LLT<Eigen::MatrixXd> curvature((sums_.observed - 0.5 * sums_.squares)(asked, asked));
+        bool is_short = false;
+        if (curvature.info() == Eigen::Success) {
+            const Eigen::VectorXd by_curvature = curvature.solve(slopes);
+            is_short = by_curvature.cwiseAbs().maxCoeff() < longest_step;
+            if (is_short) step = by_curvature;
+        }
+        change_ = step.cwiseAbs().maxCoeff();
+        Eigen::VectorXd now = Eigen::VectorXd::Zero(last_.size());
+        now(asked) = step;
+        if (round >= undamped_rounds)
+            damping_ = now.dot(last_) < 0.0 ? 0.5 * damping_ : std::min(0.5, 1.1 * damping_);
+        last_ = now;
+        return is_short ? step : Eigen::VectorXd(damping_ * step);
+    }
+
+    /// Lets components go that were taken to zero before the others had come to rest, and that the likelihood
+    /// draws up again.
+    bool release() {
+        bool any = false;
+        for (std::size_t k = 0; k < count_; ++k) {
+            const auto at = static_cast<Eigen::Index>(k);
+            if (state_[k] != State::clamped || releases_[k] == most_releases) continue;
+            if (sums_.residuals[at] <= (1.0 + uphill) * sums_.redundancy[at]) continue;
+            state_[k] = State::estimated;
+            square_[at] = std::pow(released_square, ++releases_[k]);
+            any = true;
+        }
+        return any;
     }
 
     bool join(const Eigen::MatrixXd& N, const std::vector<Eigen::Index>& asked) {
@@ -327,7 +205,10 @@ private:
     std::size_t count_ = 0;               ///< number of classes
     std::vector<State> state_;
     Eigen::VectorXd square_, u_square_;
-    Sums sums_;
+    std::vector<int> releases_;  ///< how often each component was let go from zero
+    Eigen::VectorXd last_;       ///< relative changes of the round before
+    double damping_ = 1.0;       ///< part of the way that is gone
+    Sums sums_{0};
     double change_ = 0.0;
 };
 

@@ -26,7 +26,9 @@ enum class Verdict {
 /// The standard uncertainty that the residuals see, over the one that is stated.
 struct SeenFigure {
     double factor = 1.0;
-    double square = 1.0;    ///< factor²: the variance component, unbiased
+    /// The variance component factor². Unbiased where all components have redundancy enough; where another
+    /// one would be negative and stands at zero instead, it is too small by a part of its own uncertainty.
+    double square = 1.0;
     double u_square = 0.0;  ///< its standard uncertainty, from the inverse of N
     double redundancy = 0.0;
     double degrees_of_freedom = 0.0;  ///< 2 factor⁴ / u²(factor²)
@@ -58,9 +60,10 @@ struct Seen {
 
 /// Least-squares estimates of variance components, iterated, which are those of restricted maximum likelihood
 /// (P. J. G. Teunissen, A. R. Amiri-Simkooei, J. Geod. 82, 2008): N_kl = 1/2 tr(Q⁻¹R Q_k Q⁻¹R Q_l),
-/// l_k = 1/2 vᵀ Q⁻¹ Q_k Q⁻¹ v, covariance N⁻¹. `level`: of each verdict and of the global test, two-sided.
-/// Figures that N cannot tell apart get one factor. Without redundancy, or with more readings than
-/// `most_readings`, nothing is found.
+/// l_k = 1/2 vᵀ Q⁻¹ Q_k Q⁻¹ v, covariance N⁻¹. Components are not negative: one that the likelihood draws
+/// below zero stands there. `level`: of each verdict and of the global test, two-sided. Figures that N cannot
+/// tell apart get one factor. Without redundancy, or with more readings than `most_readings`, nothing is
+/// found.
 Seen see(const RedundantReadings& readings, double level = 0.05);
 /// The result at the level of 5 %, computed when it is first asked for, as report, tables and results.json
 /// ask for the same.

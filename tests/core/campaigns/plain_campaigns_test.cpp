@@ -78,22 +78,30 @@ TEST(PlainCampaigns, OfATheodolite) {
     expect_campaigns(*readings, {1.0, 1.5}, 15);
 }
 
-/// A set of ballbars with five supports, and points above them. Disabled: with two figures of little
-/// redundancy beside it, the first is seen 2.4 % (u 0.9 %) too small, which is to be understood.
-TEST(PlainCampaigns, DISABLED_OfBallbars) {
+/// Ballbars on `count` supports, at least five, about the triangle of the project, and `points` that all of
+/// them measure. `u_support`: of lengths and heights of supports, k = 2, mm.
+Readings ballbars(int count, int points, double u_support) {
     Project project = project_of("ballbar-tcp.covaria");
-    const std::vector<Eigen::Vector3d> supports{
+    std::vector<Eigen::Vector3d> supports{
         {0, 0, 0}, {520, 0, 0}, {260, 450, 0}, {700, 100, 0}, {300, -300, 0}};
+    for (int k = 5; k < count; ++k) {
+        const double angle = 2.4 * k;  // no two in one direction
+        supports.emplace_back(260.0 + (350.0 + 25.0 * k) * std::cos(angle),
+                              150.0 + (350.0 + 25.0 * k) * std::sin(angle), 0.0);
+    }
     SetupTable further, lengths;
     further.units.assign(5, Unit::of("mm"));
     for (std::size_t k = 3; k < supports.size(); ++k) {
         const auto to = [&](std::size_t j) { return (supports[k] - supports[j]).norm(); };
-        further.rows.push_back({to(0), to(1), to(2), 0.0, 0.003});
+        further.rows.push_back({to(0), to(1), to(2), 0.0, u_support});
     }
     for (AssetEntry& asset : project.assets)
-        if (asset.id == "ballbars") asset.setup.values["further_supports"] = further;
+        if (asset.id == "ballbars") {
+            asset.setup.values["further_supports"] = further;
+            asset.setup.values["support_constant"] = Quantity{u_support, Unit::of("mm")};
+        }
     lengths.units = {Unit{}, Unit{}, Unit::of("mm")};
-    for (int k = 0; k < 15; ++k) {
+    for (int k = 0; k < points; ++k) {
         const Eigen::Vector3d p(100.0 * (k % 5), 150.0 * (k / 5), 400.0 + 20.0 * k);
         for (std::size_t j = 0; j < supports.size(); ++j)
             lengths.rows.push_back(
@@ -101,16 +109,60 @@ TEST(PlainCampaigns, DISABLED_OfBallbars) {
     }
     setup_of(project, "paper").values = {
         {"ballbars", std::string("ballbars")}, {"evaluation", std::string("lengths")}, {"lengths", lengths}};
-    const Readings readings = readings_of(project, "paper");
-    ASSERT_TRUE(readings);
-    ASSERT_EQ(readings->figures.size(), 3u);  // readings, lengths between supports, heights
-    expect_campaigns(*readings, {1.0, 1.0, 1.0}, 16, 1);
-    expect_campaigns(*readings, {1.8, 1.0, 1.0}, 17, 1);
+    return readings_of(project, "paper");
 }
 
-/// Two cameras see the targets that a tracker knows much better. Disabled: in some campaigns the third and
-/// fourth figure have a redundancy below 10, and targets enough for them take minutes.
-TEST(PlainCampaigns, DISABLED_OfSensors) {
+/// Supports that the bars see well: each figure has components enough.
+TEST(PlainCampaigns, OfBallbars) {
+    const Readings readings = ballbars(12, 8, 0.1);
+    ASSERT_TRUE(readings);
+    ASSERT_EQ(readings->figures.size(), 3u);  // readings, lengths between supports, heights
+    expect_campaigns(*readings, {1.0, 1.0, 1.0}, 16, 2);
+    expect_campaigns(*readings, {1.8, 1.0, 1.0}, 17, 2);
+}
+
+/// Nine lengths and two heights of five supports, which are as good as the readings are, stand at zero in two
+/// campaigns of three. That pushes the mean factor² of the readings down by 2.2 % (u 0.4 %, of 4000
+/// campaigns), an eighth of its own standard deviation. With the weights of the truth, which nobody has, it
+/// is unbiased; campaigns in which nothing stands at zero are 7 % too small, as they are those with little
+/// noise.
+TEST(PlainCampaigns, OfBallbarsWithFiguresOfLittleRedundancy) {
+    const Readings readings = ballbars(5, 15, 0.0031);
+    ASSERT_TRUE(readings);
+    ASSERT_EQ(readings->figures.size(), 3u);
+    const auto hold = campaigns_test::Hold::coverage_and_alarms;
+    expect_campaigns(*readings, {1.0, 1.0, 1.0}, 16, 1, hold);
+    expect_campaigns(*readings, {1.8, 1.0, 1.0}, 17, 1, hold);
+}
+
+/// Steps by the expected curvature alone go to and fro for ever in some of these campaigns, and figures that
+/// are taken to zero on the way belong above it in others.
+TEST(PlainCampaigns, EveryCampaignOfBallbarsComesToRestWhereTheLikelihoodIsLevel) {
+    RedundantReadings readings = *ballbars(5, 15, 0.0031);
+    std::mt19937_64 random(19);
+    int at_zero = 0;
+    for (int c = 0; c < 2000; ++c) {
+        readings.residuals = campaigns_test::deviations(readings, {1.8, 1.0, 1.0}, random);
+        const evidence::Seen seen = evidence::see(readings);
+        ASSERT_TRUE(seen.found) << c;
+        const Eigen::VectorXd slopes = campaigns_test::slopes(readings, seen);
+        for (std::size_t k = 0; k < 3; ++k) {
+            const double slope = slopes[static_cast<Eigen::Index>(k)];
+            at_zero += seen.figures[k].clamped;
+            if (seen.figures[k].clamped) {
+                EXPECT_LT(slope, 1e-5) << c << " " << k;
+            } else {
+                EXPECT_NEAR(slope, 0.0, 1e-6) << c << " " << k;
+            }
+        }
+    }
+    EXPECT_GT(at_zero, 500);
+}
+
+/// Two cameras see the targets that a tracker knows much better. What the tracker states is controlled by
+/// nothing, with a redundancy of some hundredths: it stays as stated. An estimate of it would run away, and
+/// take from the figures of the cameras up to half of the redundancy that they have.
+TEST(PlainCampaigns, OfSensors) {
     Network network;
     network.keep_sensors({"camera-1", "camera-2", "laser-tracker"}, "recommended");
     network.table("distances", "recommended").rows.clear();
