@@ -303,6 +303,10 @@ const std::vector<AnalysisTemplate>& analysis_templates() {
         {Topic::points, "Network with unknown stations",
          "Places of targets and of the instruments themselves, from readings to control points.",
          "levelled-network", "held"},
+        {Topic::points, "Network method for a tracker",
+         "What a tracker's readings are worth, from the same targets seen from several unknown places, and "
+         "E_n against calibrated lengths.",
+         "tracker-network", "tracker"},
         {Topic::points, "Geometry from points",
          "Planes, circles, axes and balls through measured points, with form deviations.", "robot-flange",
          "features"},

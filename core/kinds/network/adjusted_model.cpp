@@ -5,6 +5,7 @@
 #include <mutex>
 
 #include "core/base/name.h"
+#include "core/kinds/network/adjusted_checks.h"
 #include "core/kinds/network/near_predictions.h"
 #include "core/kinds/network/seen_figures.h"
 #include "core/kinds/points/output_points.h"
@@ -210,14 +211,7 @@ private:
             e[static_cast<Eigen::Index>(output)] = 1.0;
             return e;
         }
-        const auto& [from, to] = network_.distances[output - network_.place_of.size()];
-        const Eigen::Vector3d unit = along(from, to, state).normalized();
-        for (std::size_t c = 0; c < 3; ++c)
-            for (const auto& [point, sign] : {std::pair(to, 1.0), std::pair(from, -1.0)})
-                if (const std::size_t k = network_.unknown_of[network_.at(point, c)];
-                    k != AdjustedNetwork::known)
-                    e[static_cast<Eigen::Index>(k)] += sign * unit[static_cast<Eigen::Index>(c)];
-        return e;
+        return network::gradient_of_distance(network_, output - network_.place_of.size(), state);
     }
 
     /// The vector (J₀ᵀ C⁻¹ J)⁻ᵀ e, in steps with the factor at the estimates: where J is J₀ the first step is
@@ -318,6 +312,8 @@ std::vector<ModelEquation> adjustment_equations() {
         {"r_i = (Q_vv C⁻¹)_ii,  w_i = (C⁻¹ v)_i / √(C⁻¹ Q_vv C⁻¹)_ii",
          tell<"redundancy and test of a reading: W. Baarda, A testing procedure, 1968">()},
         {"∇l_i = δ₀ / √(C⁻¹ Q_vv C⁻¹)_ii", tell<"smallest error of a reading that the test finds">()},
+        {"E_n = |l − l_ref|/U",
+         tell<"calibrated lengths, held back from the adjustment; U of the difference, k = 2">()},
         {"s₀² = vᵀ C⁻¹ v / f",
          tell<"a posteriori; uncertainties are those that were stated, not times s₀">()}};
 }

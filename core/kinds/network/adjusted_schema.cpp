@@ -192,9 +192,17 @@ Columns<Stated::Station> station_columns() {
 
 Columns<Stated::Distance> distance_columns() {
     using Row = Stated::Distance;
+    const Unit mm = Unit::of("mm");
+    const Range positive{.low = 0.0, .low_open = true};
     return Columns<Row>()
         .add(&Row::from, "from", "from", "Name of a point.")
-        .add(&Row::to, "to", "to", "Name of another point.");
+        .add(&Row::to, "to", "to", "Name of another point.")
+        .add(&Row::reference, "reference", "reference",
+             "A calibrated length of the distance, or what was measured along one line of sight. It is held "
+             "back from the adjustment, which is held against it (E_n).",
+             {.unit = mm, .range = positive, .optional = true})
+        .add(&Row::u_reference, "u_reference", "u of reference", "Standard uncertainty of the reference.",
+             {.unit = mm, .range = positive, .optional = true});
 }
 
 Columns<Stated::Campaign> campaign_columns() {
@@ -212,8 +220,9 @@ const Fields<StatedAdjustment>& adjustment_fields() {
                    "Stations and targets alike, with what is known of them beforehand.", point_columns(),
                    {.min_rows = 1})
             .table(&Stated::distances, "distances", "Distances",
-                   "Distances between points that are measurands too.", distance_columns(),
-                   {.optional = true})
+                   "Distances between points that are measurands too, and calibrated lengths to hold them "
+                   "against.",
+                   distance_columns(), {.optional = true})
             .section("Readings")
             .choice(
                 &Stated::clockwise, "sense", "Directions grow",

@@ -388,6 +388,11 @@ private:
                    to = called(stated_.distances[row].to, path);
         if (!from || !to) return;
         if (*from == *to) return problems_.error(path, tell<"a distance needs two points">());
+        const Typed::Distance& typed = stated_.distances[row];
+        if (typed.reference.has_value() != typed.u_reference.has_value())
+            return problems_.error(path, tell<"a reference length and its u belong together">());
+        if (typed.reference)
+            made_.references.push_back({made_.distances.size(), *typed.reference, *typed.u_reference});
         made_.distances.push_back({*from, *to});
     }
 

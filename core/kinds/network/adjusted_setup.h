@@ -107,6 +107,7 @@ struct StatedAdjustment {
     };
     struct Distance {
         std::string from, to;
+        std::optional<double> reference = {}, u_reference = {};
     };
     struct Station {
         std::string point;
@@ -215,6 +216,12 @@ struct LeftOut {
     std::string source = {};
 };
 
+/// A calibrated length of a distance, which is not adjusted.
+struct ReferenceLength {
+    std::size_t distance = 0;  ///< number of the distance
+    double length = 0.0, u = 0.0;
+};
+
 struct ReadingCorrelation {
     std::size_t first = 0, second = 0;
     double coefficient = 0.0;
@@ -233,6 +240,7 @@ struct AdjustedNetwork {
     std::vector<AdjustedFrame> frames;
     std::vector<ReadingCorrelation> correlations;
     std::vector<std::array<std::size_t, 2>> distances;
+    std::vector<ReferenceLength> references;
     std::vector<LeftOut> left_out;
     std::vector<std::size_t> unplaced;  ///< points that the readings do not place
     double curvature = 0.0;             ///< curvature of the Earth, 1/m; 0: it does not count

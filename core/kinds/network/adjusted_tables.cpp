@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/kinds/network/adjusted_checks.h"
 #include "core/kinds/network/adjusted_closures.h"
 #include "core/kinds/network/adjusted_groups.h"
 #include "core/kinds/points/component_evidence.h"
@@ -137,7 +138,10 @@ Table left_out_table(const AdjustedNetwork& network) {
 
 std::vector<Table> adjustment_tables(const AdjustedNetwork& network) {
     const adjustment::Reliability& found = reliability_of(network);
-    std::vector<Table> tables{figures_table(network, found), readings_table(network, found)};
+    std::vector<Table> tables{figures_table(network, found)};
+    if (const auto held = held_lengths(network); !held.empty())
+        tables.push_back(held_lengths_table(network, held));
+    tables.push_back(readings_table(network, found));
     if (const auto groups = groups_of(network); !groups.empty()) tables.push_back(groups_table(groups));
     if (const auto closed = closures(network); !closed.empty()) tables.push_back(closures_table(closed));
     if (auto faces = faces_table(network)) tables.push_back(std::move(*faces));
@@ -147,6 +151,7 @@ std::vector<Table> adjustment_tables(const AdjustedNetwork& network) {
 
 void check_adjustment(const AdjustedNetwork& network, Problems& problems) {
     const adjustment::Reliability& found = reliability_of(network);
+    check_held_lengths(network, problems);
     if (!is_too_large(found)) return;
     std::size_t worst = 0;
     for (std::size_t i = 0; i < found.readings.size(); ++i)
