@@ -194,6 +194,8 @@ struct SeenElsewhere {
     std::optional<SeenFigureOfReadings> figure = {};
     double between = 0.0;  ///< standard deviation of ln u between them
     std::string ids = {}, names = {};
+    std::vector<FigureOverCampaigns::Campaign> campaigns = {};
+    bool has_u = false;  ///< the campaigns say u, and not how many times what is stated
 };
 
 std::string names_of(const std::vector<Offered<SeenFiguresSource>>& campaigns) {
@@ -218,14 +220,28 @@ SeenElsewhere seen_elsewhere(const std::vector<Offered<SeenFiguresSource>>& camp
     seen.figure = figures.front();
     const bool has_u = std::ranges::all_of(figures, [](const auto& figure) { return figure.u.has_value(); });
     std::vector<evidence::CampaignFigure> of_campaigns;
-    for (const SeenFigureOfReadings& figure : figures)
-        of_campaigns.push_back({has_u ? *figure.u : figure.factor, figure.degrees_of_freedom});
+    for (std::size_t k = 0; k < figures.size(); ++k) {
+        const double value = has_u ? *figures[k].u : figures[k].factor;
+        of_campaigns.push_back({value, figures[k].degrees_of_freedom});
+        seen.campaigns.push_back({sees[k].name, sees[k]->day(), value, figures[k].degrees_of_freedom});
+    }
+    seen.has_u = has_u;
     const evidence::CombinedFigure found = evidence::combined(of_campaigns);
     if (!has_u) seen.figure->u.reset();
     (has_u ? *seen.figure->u : seen.figure->factor) = found.u;
     seen.figure->degrees_of_freedom = found.degrees_of_freedom;
     seen.between = found.between;
     return seen;
+}
+
+FigureOverCampaigns over_campaigns(const FigureKey& key, const SeenElsewhere& seen) {
+    FigureOverCampaigns figure{words_of_kind(key).english(), key.instrument};
+    if (seen.has_u) figure.unit = unit_of_residual(static_cast<ReadingKind>(key.kind));
+    figure.campaigns = seen.campaigns;
+    figure.combined = {.name = {},
+                       .value = seen.has_u ? *seen.figure->u : seen.figure->factor,
+                       .degrees_of_freedom = seen.figure->degrees_of_freedom};
+    return figure;
 }
 
 }  // namespace
@@ -341,6 +357,8 @@ void take_seen_elsewhere(AdjustedNetwork& network, const std::vector<Offered<See
                     adjustment_fields().place(&StatedAdjustment::seen_in),
                     tell<"readings of figures that are seen elsewhere are correlated with others here">());
     scale(network, figure_of, factors);
+    for (const auto& [key, seen] : figures)
+        if (seen.campaigns.size() > 1) network.over_campaigns.push_back(over_campaigns(key, seen));
     for (AdjustedReading& reading : network.readings) {
         const SeenElsewhere& seen = figures.at(key_of(network, reading));
         if (!seen.figure) continue;

@@ -27,6 +27,7 @@ public:
                                                            const std::string& instrument) const override {
         return evidence_->figure_of(kind, instrument);
     }
+    std::optional<Days> day() const override { return evidence_->network.read_on; }
 
 private:
     std::shared_ptr<const network::NetworkEvidence> evidence_;
@@ -115,6 +116,9 @@ public:
     std::vector<Table> evaluation() const override {
         std::call_once(tables_made_, [&] { tables_ = network::adjustment_tables(network_); });
         return tables_;
+    }
+    std::vector<PlotSpecification> figures() const override {
+        return network::figures_over_campaigns(network_);
     }
     std::shared_ptr<const evidence::RedundantReadings> redundant_readings() const override {
         return evidence_->readings();

@@ -239,6 +239,9 @@ const Fields<StatedAdjustment>& adjustment_fields() {
                 "one common factor s_0, or times the factor of each kind of reading and instrument "
                 "(variance components). Either has the degrees of freedom of its estimate.",
                 choices_of_uncertainties(), UncertaintiesFrom::stated)
+            .add(&Stated::read_on, "read_on", "Date of the readings",
+                 "For the chart of figures over campaigns: 2026-11-28; empty: not stated.",
+                 {.optional = true})
             .add(&Stated::seen_in, "seen_in", "Figures as seen in",
                  "Another network, rounds of a total station say, whose residuals see what its readings are "
                  "worth. Readings of the same kind and instrument get the standard uncertainty that it sees, "

@@ -253,6 +253,7 @@ public:
         take_own_frames(stated_, made_, problems_);
         for (std::size_t row = 0; row < stated_.readings.size(); ++row) take_reading(row);
         for (std::size_t row = 0; row < stated_.distances.size(); ++row) take_distance(row);
+        take_date();
         if (problems_.has_errors()) return {};
         for (std::size_t row = 0; row < stated_.points.size(); ++row) add_stated_coordinates(row);
         add_stated_tilts();
@@ -380,6 +381,14 @@ private:
         const auto [known, added] = rounds_.try_emplace({station, name}, made_.rounds.size());
         if (added) made_.rounds.push_back({station, name});
         return known->second;
+    }
+
+    void take_date() {
+        if (stated_.read_on.empty()) return;
+        made_.read_on = date_of(stated_.read_on);
+        if (!made_.read_on)
+            problems_.error(adjustment_fields().place(&Typed::read_on),
+                            tell<"a date of the form 2026-04-17 is needed; it is '%1'">(stated_.read_on));
     }
 
     void take_distance(std::size_t row) {

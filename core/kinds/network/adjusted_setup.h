@@ -10,6 +10,7 @@
 
 #include "core/adjustment/adjustment.h"
 #include "core/adjustment/reliability.h"
+#include "core/base/dates.h"
 #include "core/evidence/as_seen.h"
 #include "core/model/layout.h"
 #include "core/model/offered.h"
@@ -140,6 +141,7 @@ struct StatedAdjustment {
     bool leaves_undetermined = false;   ///< points that nothing determines are left out
     bool robust = false;                ///< a robust start, and outliers are left out
     UncertaintiesFrom uncertainties = UncertaintiesFrom::stated;
+    std::string read_on;                 ///< date of the readings; empty: not stated
     Offered<SeenFiguresSource> seen_in;  ///< empty where the table of readings states all of them
     struct Campaign {
         Offered<SeenFiguresSource> seen_in;
@@ -227,6 +229,21 @@ struct ReadingCorrelation {
     double coefficient = 0.0;
 };
 
+/// A figure of readings as several campaigns saw it.
+struct FigureOverCampaigns {
+    struct Campaign {
+        std::string name;
+        std::optional<Days> day = {};
+        double value = 0.0;  ///< SI
+        double degrees_of_freedom = 0.0;
+    };
+    std::string kind = {};          ///< kind of the readings in English: "slope distances"
+    std::string instrument = {};    ///< may be empty
+    std::optional<Unit> unit = {};  ///< empty: factors of what is stated, as the campaigns state several u
+    std::vector<Campaign> campaigns = {};
+    Campaign combined = {};
+};
+
 /// A network, which is what its state says: coordinates of all points, then orientations of the rounds, then
 /// the lean of instruments that are not levelled, about x and, in their axes then, about y; then figures of
 /// instruments; then frames.
@@ -241,6 +258,8 @@ struct AdjustedNetwork {
     std::vector<ReadingCorrelation> correlations;
     std::vector<std::array<std::size_t, 2>> distances;
     std::vector<ReferenceLength> references;
+    std::optional<Days> read_on;                      ///< day of the readings
+    std::vector<FigureOverCampaigns> over_campaigns;  ///< figures that more than one campaign saw
     std::vector<LeftOut> left_out;
     std::vector<std::size_t> unplaced;  ///< points that the readings do not place
     double curvature = 0.0;             ///< curvature of the Earth, 1/m; 0: it does not count

@@ -8,6 +8,7 @@
 
 #include "core/kinds/network/adjusted_setup.h"
 #include "core/model/capability.h"
+#include "core/text/plot_specification.h"
 
 namespace covaria::network {
 
@@ -26,6 +27,8 @@ public:
     /// Empty: there are no such readings, or too few of them to say.
     virtual std::optional<SeenFigureOfReadings> figure_of(ReadingKind kind,
                                                           const std::string& instrument) const = 0;
+    /// The day of the readings, where it is stated.
+    virtual std::optional<Days> day() const = 0;
 };
 
 /// The network with its evidence, which is made when it is first asked for.
@@ -47,6 +50,8 @@ private:
 /// makes of them. Warns of readings that none of them sees.
 void take_seen_elsewhere(AdjustedNetwork& network, const std::vector<Offered<SeenFiguresSource>>& campaigns,
                          Problems& problems);
+/// Charts of figures over the campaigns that saw them.
+std::vector<PlotSpecification> figures_over_campaigns(const AdjustedNetwork& network);
 /// The campaigns that a set-up names; `seen_in` first.
 std::vector<Offered<SeenFiguresSource>> campaigns_of(const StatedAdjustment& stated);
 

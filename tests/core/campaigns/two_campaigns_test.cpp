@@ -9,6 +9,7 @@
 #include "core/base/resource_path.h"
 #include "core/evidence/combined.h"
 #include "core/kinds/registries.h"
+#include "core/math/special_quantiles.h"
 #include "tests/core/made.h"
 
 namespace covaria::two_campaigns_test {
@@ -72,6 +73,61 @@ TEST(TwoCampaigns, AFigureIsCombinedWithWhatItChangesBetweenThem) {
     EXPECT_LT(both.degrees_of_freedom, std::min(a.degrees_of_freedom, b.degrees_of_freedom));
     EXPECT_NE(both.origin.english().find("from one campaign to the next it changes by"), std::string::npos)
         << both.origin.english();
+}
+
+/// A chart of the figures of the network over its campaigns, as of directions.
+TEST(TwoCampaigns, AFigureIsDrawnOverTheDaysOfItsCampaigns) {
+    Chain chain;
+    const auto charts = [&] {
+        const UncertaintyComponent both = chain.direction("rounds", {"again"});
+        Problems problems;
+        std::vector<PlotSpecification> drawn =
+            made_analysis(chain.project, "network", problems)->model->figures();
+        return std::pair(both, drawn);
+    };
+    const double u_first = chain.direction("rounds", {}).distribution.standard_uncertainty(),
+                 u_second = chain.direction("again", {}).distribution.standard_uncertainty();
+    const auto directions = [](const std::vector<PlotSpecification>& drawn) {
+        return std::ranges::find(drawn, "campaigns-directions-TS", &PlotSpecification::id);
+    };
+    const auto [both, in_order] = charts();
+    ASSERT_NE(directions(in_order), in_order.end());
+    EXPECT_EQ(directions(in_order)->series[0].x, (std::vector<double>{1.0, 2.0}));
+
+    for (AnalysisEntry& analysis : chain.project.analyses) {
+        if (analysis.id == "rounds") analysis.setup.values["read_on"] = std::string("2024-11-28");
+        if (analysis.id == "again") analysis.setup.values["read_on"] = std::string("2026-11-28");
+    }
+    const std::vector<PlotSpecification> drawn = charts().second;
+    const auto chart = directions(drawn);
+    ASSERT_NE(chart, drawn.end());
+    ASSERT_EQ(chart->series.size(), 6u);  // values, their intervals, the combined one, ends of its interval
+    const Unit unit = Unit::parse(chart->y.unit).value();
+    EXPECT_EQ(chart->series[0].x, (std::vector<double>{0.0, 730.0 / 365.25}));
+    EXPECT_NEAR(unit.to_si(chart->series[0].y[0]), u_first, 1e-9 * u_first);
+    EXPECT_NEAR(unit.to_si(chart->series[0].y[1]), u_second, 1e-9 * u_second);
+    for (const std::size_t k : {0u, 1u}) {
+        const PlotSeries& interval = chart->series[1 + k];
+        EXPECT_EQ(interval.x, std::vector<double>(2, chart->series[0].x[k]));
+        EXPECT_LT(interval.y[0], chart->series[0].y[k]);
+        EXPECT_GT(interval.y[1], chart->series[0].y[k]);
+    }
+    const double combined = both.distribution.standard_uncertainty();
+    EXPECT_NEAR(unit.to_si(chart->series[3].y[0]), combined, 1e-9 * combined);
+    EXPECT_LT(chart->series[3].x[0], 0.0);
+    // The next campaign is known as the degrees of freedom say.
+    const double nu = both.degrees_of_freedom;
+    for (const auto& [series, p] : {std::pair(4, 0.975), std::pair(5, 0.025)}) {
+        const double end = combined * std::sqrt(nu / chi_squared_quantile(p, nu));
+        EXPECT_NEAR(unit.to_si(chart->series[static_cast<std::size_t>(series)].y[1]), end, 1e-9 * end);
+    }
+}
+
+TEST(TwoCampaigns, OneCampaignIsNotDrawn) {
+    Chain chain;
+    chain.direction("rounds", {});
+    Problems problems;
+    EXPECT_TRUE(made_analysis(chain.project, "network", problems)->model->figures().empty());
 }
 
 TEST(TwoCampaigns, TheSameCampaignTwiceIsOne) {
