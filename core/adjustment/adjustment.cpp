@@ -8,6 +8,7 @@
 #include <numeric>
 #include <utility>
 
+#include "core/adjustment/lanes.h"
 #include "core/math/decompositions.h"
 
 namespace covaria::adjustment {
@@ -272,31 +273,40 @@ void Adjustment::factorise(const SparseColumns& normal) {
     of_datum_ = BG.transpose() * datum_cofactors_;
 }
 
-void Adjustment::solve_held(double* x, double* scratch) const {
+template <class Number>
+void Adjustment::solve_held(Number* x, Number* scratch) const {
     const std::size_t n = unknowns();
-    for (std::size_t i = 0; i < n; ++i)
-        if (reduced_[i] >= 0)
-            scratch[static_cast<std::size_t>(reduced_[i])] = x[i] / scale_[static_cast<Eigen::Index>(i)];
+    for (std::size_t i = 0; i < n; ++i) {
+        x[i] /= scale_[static_cast<Eigen::Index>(i)];
+        if (reduced_[i] >= 0) scratch[static_cast<std::size_t>(reduced_[i])] = x[i];
+    }
     factor_->solve(scratch, scratch + n);
-    for (std::size_t i = 0; i < n; ++i)
-        x[i] = reduced_[i] < 0
-                   ? 0.0
-                   : scratch[static_cast<std::size_t>(reduced_[i])] / scale_[static_cast<Eigen::Index>(i)];
+    for (std::size_t i = 0; i < n; ++i) {
+        x[i] = reduced_[i] < 0 ? Number(0.0) : scratch[static_cast<std::size_t>(reduced_[i])];
+        x[i] /= scale_[static_cast<Eigen::Index>(i)];
+    }
 }
 
-void Adjustment::step(double* x, double* scratch) const {
+template <class Number>
+void Adjustment::step(Number* x, Number* scratch) const {
     const std::size_t n = unknowns();
     solve_held(x, scratch);
     for (Eigen::Index j = 0; j < undetermined_.cols(); ++j) {
-        double along = 0.0;
-        for (const std::size_t i : datum_) along += undetermined_(static_cast<Eigen::Index>(i), j) * x[i];
+        Number along(0.0);
+        for (const std::size_t i : datum_)
+            add_product(along, undetermined_(static_cast<Eigen::Index>(i), j), x[i]);
         scratch[2 * n + static_cast<std::size_t>(j)] = along;
     }
     for (Eigen::Index j = 0; j < undetermined_.cols(); ++j)
         for (std::size_t i = 0; i < n; ++i)
-            x[i] -=
-                undetermined_(static_cast<Eigen::Index>(i), j) * scratch[2 * n + static_cast<std::size_t>(j)];
+            add_product(x[i], -undetermined_(static_cast<Eigen::Index>(i), j),
+                        scratch[2 * n + static_cast<std::size_t>(j)]);
 }
+
+template void Adjustment::step(double*, double*) const;
+template void Adjustment::step(OneLane*, OneLane*) const;
+template void Adjustment::step(FewLanes*, FewLanes*) const;
+template void Adjustment::step(ManyLanes*, ManyLanes*) const;
 
 Eigen::VectorXd Adjustment::step(const Eigen::VectorXd& gradient) const {
     Eigen::VectorXd x = gradient;

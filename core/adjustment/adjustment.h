@@ -53,9 +53,10 @@ public:
     const Eigen::VectorXd& scale() const { return scale_; }
     const SparseRows& whitened() const { return whitened_; }
 
-    /// x := Q x for x = Aᵀ W r: the changes of the unknowns. `scratch`: `scratch_size()` numbers. No
-    /// allocation.
-    void step(double* x, double* scratch) const;
+    /// x := Q x for x = Aᵀ W r: the changes of the unknowns, for double or for `Lanes` of such x. `scratch`:
+    /// `scratch_size()` numbers. No allocation.
+    template <class Number>
+    void step(Number* x, Number* scratch) const;
     std::size_t scratch_size() const { return 2 * unknowns() + defect(); }
     Eigen::VectorXd step(const Eigen::VectorXd& gradient) const;
     /// x less its part that only the datum decides: zero change of the datum.
@@ -74,7 +75,8 @@ private:
     void take_to_datum(const std::vector<std::size_t>& datum);
     void factorise(const SparseColumns& normal);
     /// x := Z x, the changes where the unknowns `held_` do not move.
-    void solve_held(double* x, double* scratch) const;
+    template <class Number>
+    void solve_held(Number* x, Number* scratch) const;
     const SelectedInverse& inverse() const;
     double held_cofactor(std::size_t i, std::size_t j) const;
 

@@ -6,6 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include "core/adjustment/lanes.h"
+
 namespace covaria::adjustment {
 
 namespace {
@@ -168,29 +170,53 @@ double SparseFactor::least_pivot() const {
     return least;
 }
 
-void SparseFactor::solve(double* b, double* scratch) const {
+template <class Number>
+void SparseFactor::solve_root(Number* b) const {
+    const Index n = root_.rows();
+    if constexpr (std::is_same_v<Number, double>) {
+        Eigen::Map<Eigen::VectorXd> dense(b, n);
+        root_.triangularView<Eigen::Lower>().solveInPlace(dense);
+        root_.triangularView<Eigen::Lower>().transpose().solveInPlace(dense);
+    } else {
+        for (Index j = 0; j < n; ++j) {
+            b[j] /= root_(j, j);
+            const Number own = b[j];
+            for (Index i = j + 1; i < n; ++i) add_product(b[i], -root_(i, j), own);
+        }
+        for (Index j = n; j-- > 0;) {
+            Number own = b[j];
+            for (Index i = j + 1; i < n; ++i) add_product(own, -root_(i, j), b[i]);
+            own /= root_(j, j);
+            b[j] = own;
+        }
+    }
+}
+
+template <class Number>
+void SparseFactor::solve(Number* b, Number* scratch) const {
     const std::size_t n = size(), root = diagonal_.size();
     const int *place = order_->place.data(), *starts = order_->starts.data(), *rows = order_->rows.data();
     for (std::size_t i = 0; i < n; ++i) scratch[place[i]] = b[i];
     for (std::size_t j = 0; j < root; ++j) {
-        const double s = scratch[j];
+        const Number s = scratch[j];
         for (int k = starts[j]; k < starts[j + 1]; ++k)
-            scratch[rows[k]] -= values_[static_cast<std::size_t>(k)] * s;
+            add_product(scratch[rows[k]], -values_[static_cast<std::size_t>(k)], s);
     }
     for (std::size_t j = 0; j < root; ++j) scratch[j] /= diagonal_[j];
-    if (root < n) {
-        Eigen::Map<Eigen::VectorXd> dense(scratch + root, static_cast<Index>(n - root));
-        root_.triangularView<Eigen::Lower>().solveInPlace(dense);
-        root_.triangularView<Eigen::Lower>().transpose().solveInPlace(dense);
-    }
+    if (root < n) solve_root(scratch + root);
     for (std::size_t j = root; j-- > 0;) {
-        double s = scratch[j];
+        Number s = scratch[j];
         for (int k = starts[j]; k < starts[j + 1]; ++k)
-            s -= values_[static_cast<std::size_t>(k)] * scratch[rows[k]];
+            add_product(s, -values_[static_cast<std::size_t>(k)], scratch[rows[k]]);
         scratch[j] = s;
     }
     for (std::size_t i = 0; i < n; ++i) b[i] = scratch[place[i]];
 }
+
+template void SparseFactor::solve(double*, double*) const;
+template void SparseFactor::solve(OneLane*, OneLane*) const;
+template void SparseFactor::solve(FewLanes*, FewLanes*) const;
+template void SparseFactor::solve(ManyLanes*, ManyLanes*) const;
 
 namespace {
 

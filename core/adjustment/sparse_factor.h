@@ -50,12 +50,16 @@ public:
     std::size_t size() const { return order_ ? order_->place.size() : 0; }
     /// The least pivot: an upper bound of the least eigenvalue.
     double least_pivot() const;
-    /// b := N⁻¹ b; `scratch` has room for `size()` numbers. No allocation.
-    void solve(double* b, double* scratch) const;
+    /// b := N⁻¹ b, for double or for `Lanes` of right-hand sides; `scratch` has room for `size()` numbers. No
+    /// allocation.
+    template <class Number>
+    void solve(Number* b, Number* scratch) const;
     SelectedInverse selected_inverse() const;
 
 private:
     bool factorise_root();
+    template <class Number>
+    void solve_root(Number* b) const;
 
     std::shared_ptr<const EliminationOrder> order_;
     std::vector<double> values_, diagonal_;  ///< L and D of the sparse columns

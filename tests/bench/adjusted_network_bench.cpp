@@ -1,6 +1,7 @@
 // The network adjustment: stations that nobody knows sight targets by direction, zenith angle and distance.
 // Timed are the way from the table to the estimates with the u of every coordinate, a trial, one reading
-// more, the reliability of all readings; with more targets, for the growth; the factor beside Eigen's.
+// more, the reliability of all readings; with more targets, for the growth; the factor beside Eigen's; trials
+// as the engine has them, in blocks and with their draws.
 #include <benchmark/benchmark.h>
 #include <sys/resource.h>
 
@@ -10,6 +11,7 @@
 
 #include "core/kinds/network/adjusted_closures.h"
 #include "core/propagation/engine.h"
+#include "core/propagation/trial_block_runner.h"
 #include "core/readers/entry_texts.h"
 #include "tests/core/made.h"
 
@@ -220,6 +222,33 @@ void trial(benchmark::State& state) {
     }
 }
 BENCHMARK(trial)->Unit(benchmark::kMillisecond);
+
+/// A block of trials of the engine, drawn and evaluated by one thread.
+void block_of_trials(benchmark::State& state) {
+    Problems problems;
+    const auto analysis = made_analysis(project_of(stated_hall(30, 1000)), "hall", problems);
+    if (!analysis) return state.SkipWithError("no analysis");
+    const detail::DrawPlan plan(analysis->model->inputs(), {});
+    detail::TrialSource source{analysis->model.get(), &plan, 1};
+    source.estimate.setZero(static_cast<Eigen::Index>(analysis->model->outputs().size()));
+    detail::TrialBlockRunner runner(source);
+    detail::TrialRows inputs(plan.quantities());
+    detail::DrawWorkspace workspace(plan.latent_rows());
+    const auto ms_per_trial = [](const auto& part) {
+        const auto begin = std::chrono::steady_clock::now();
+        part();
+        return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count() /
+               detail::block_trials;
+    };
+    runner.run(0, detail::block_trials);  // has its memory
+    for (auto _ : state) {
+        state.counters["ms_per_trial"] = ms_per_trial([&] { runner.run(0, detail::block_trials); });
+        state.counters["ms_of_draws"] =
+            ms_per_trial([&] { plan.draw(1, 0, detail::block_trials, inputs, workspace); });
+    }
+    state.counters["valid"] = static_cast<double>(runner.valid());
+}
+BENCHMARK(block_of_trials)->Iterations(1)->Unit(benchmark::kMillisecond);
 
 /// One reading more: the changes of all unknowns and of the u of all of them, by a rank-one update.
 void one_reading_more(benchmark::State& state) {

@@ -146,7 +146,7 @@ private:
 
 /// Lengths of the lines that are read, and heights of what is read; those of no reading are left out.
 std::vector<evidence::Abscissa> abscissas_of(const AdjustedNetwork& network) {
-    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
     evidence::Abscissa length{tell<"distance">(), Unit::of("m"), {}},
         height{tell<"height">(), Unit::of("m"), {}};
     for (const AdjustedReading& reading : network.readings) {
@@ -157,8 +157,9 @@ std::vector<evidence::Abscissa> abscissas_of(const AdjustedNetwork& network) {
         const std::size_t at = is_of_point ? reading.from : reading.to;
         const bool is_line = !is_of_figure && !is_of_point && reading.from != reading.to;
         length.values.push_back(
-            is_line ? (network.position(reading.to) - network.position(reading.from)).norm() : none);
-        height.values.push_back(!is_of_figure && network.points[at].has(2) ? network.position(at).z() : none);
+            is_line ? (network.position(reading.to) - network.position(reading.from)).norm() : no_value);
+        height.values.push_back(!is_of_figure && network.points[at].has(2) ? network.position(at).z()
+                                                                           : no_value);
     }
     std::vector<evidence::Abscissa> all;
     for (evidence::Abscissa* one : {&length, &height})

@@ -10,7 +10,7 @@ namespace covaria::network {
 namespace {
 
 /// Product of readings and unknowns up to which groups are tested.
-constexpr std::size_t most_work = 1'000'000;
+constexpr std::size_t most_products = 1'000'000;
 constexpr std::size_t most_in_group = 300;
 
 std::vector<GroupOfReadings> candidates(const AdjustedNetwork& network) {
@@ -47,7 +47,7 @@ std::vector<GroupOfReadings> candidates(const AdjustedNetwork& network) {
 }  // namespace
 
 std::vector<GroupOfReadings> groups_of(const AdjustedNetwork& network) {
-    if (network.readings.size() * network.place_of.size() > most_work) return {};
+    if (network.readings.size() * network.place_of.size() > most_products) return {};
     if (network.adjusted->degrees_of_freedom() == 0) return {};
     std::vector<GroupOfReadings> groups = candidates(network);
     if (groups.empty()) return {};

@@ -47,8 +47,8 @@ void leave_lone_directions(StatedAdjustment& stated) {
 double test_of(const StatedAdjustment& stated, const AdjustedNetwork& made, std::size_t row) {
     StatedAdjustment with = stated;
     with.readings[row].left_out = false;
-    Problems none;
-    std::optional<AdjustedNetwork> other = adjusted_network(with, none);
+    Problems unsaid;
+    std::optional<AdjustedNetwork> other = adjusted_network(with, unsaid);
     constexpr double never = std::numeric_limits<double>::infinity();
     if (!other || other->state.size() != made.state.size()) return never;
     const auto reading =

@@ -6,7 +6,7 @@
 
 #include "core/base/name.h"
 #include "core/kinds/network/adjusted_checks.h"
-#include "core/kinds/network/near_predictions.h"
+#include "core/kinds/network/adjusted_trials.h"
 #include "core/kinds/network/seen_figures.h"
 #include "core/kinds/points/output_points.h"
 #include "core/model/dense_jacobian.h"
@@ -83,17 +83,6 @@ bool is_large(const AdjustedNetwork& network) {
            machine_hall;
 }
 
-/// g := M r.
-void multiply(const adjustment::SparseRows& M, const double* r, double* g) {
-    const int *starts = M.outerIndexPtr(), *columns = M.innerIndexPtr();
-    const double* values = M.valuePtr();
-    for (Eigen::Index k = 0; k < M.rows(); ++k) {
-        double sum = 0.0;
-        for (int e = starts[k]; e < starts[k + 1]; ++e) sum += values[e] * r[columns[e]];
-        g[k] = sum;
-    }
-}
-
 /// The model y of x: the unknowns where J₀ᵀ C⁻¹ (x − h(y)) = 0, with J₀ the derivatives at the estimates. At
 /// these it is the least sum of squares, and its sensitivities are the rows of the gain Q J₀ᵀ C⁻¹; elsewhere
 /// it differs from the least sum by terms of second order times the residuals.
@@ -103,10 +92,7 @@ public:
         : evidence_(std::make_shared<const network::NetworkEvidence>(std::move(made))),
           network_(evidence_->network),
           inputs_(network::adjustment_inputs(network_)),
-          near_(network_) {
-        const adjustment::SparseRows weighted =
-            network_.whitening.transpose() * network_.adjusted->whitened();
-        to_gradient_ = adjustment::SparseRows(weighted.transpose());
+          trials_(network_) {
         describe_outputs();
     }
 
@@ -128,24 +114,17 @@ public:
     }
 
     bool evaluate(std::span<const double> x, std::span<double> y) const override {
-        Buffers& buffers = buffers_of_thread();
-        if (!solve(x, buffers)) return false;
-        for (std::size_t k = 0; k < network_.place_of.size(); ++k) y[k] = buffers.state[network_.place_of[k]];
-        for (std::size_t i = 0; i < network_.distances.size(); ++i) {
-            const auto& [from, to] = network_.distances[i];
-            y[network_.place_of.size() + i] = along(from, to, buffers.state.data()).norm();
-        }
-        return true;
+        return trials_.evaluate(x, y);
     }
+    void evaluate_block(const TrialBlock& block) const override { trials_.evaluate(block); }
 
     bool sensitivities(std::span<const double> x, SensitivityRows& rows) const override {
-        Buffers& buffers = buffers_of_thread();
-        if (!solve(x, buffers)) return false;
-        const adjustment::SparseRows J = network::design_of(network_, buffers.state.data());
+        std::vector<double> state;
+        if (!trials_.find_state(x, state)) return false;
+        const adjustment::SparseRows J = network::design_of(network_, state.data());
         rows.assign(outputs_.size(), {});
         for (std::size_t k = 0; k < rows.size(); ++k) {
-            const Eigen::VectorXd by_reading =
-                to_gradient_.transpose() * implied(J, wanted(k, buffers.state.data()));
+            const Eigen::VectorXd by_reading = trials_.weighted() * implied(J, wanted(k, state.data()));
             if (!by_reading.allFinite()) return false;
             for (Eigen::Index i = 0; i < by_reading.size(); ++i)
                 if (by_reading[i] != 0.0) rows[k].push_back({static_cast<std::size_t>(i), by_reading[i]});
@@ -161,47 +140,6 @@ public:
     }
 
 private:
-    struct Buffers {
-        std::vector<double> state, moved, begun, residuals, change, scratch;
-    };
-    static Buffers& buffers_of_thread() {
-        static thread_local Buffers buffers;
-        return buffers;
-    }
-
-    bool solve(std::span<const double> x, Buffers& b) const {
-        constexpr int most_steps = 60;
-        constexpr double enough = 1e-11;  // as a part of a reading's u
-        const std::size_t n = network_.place_of.size();
-        b.state.assign(network_.state.data(), network_.state.data() + network_.state.size());
-        b.moved.assign(b.state.size(), 0.0);
-        near_.at_estimates(x, b.begun);
-        b.residuals = b.begun;
-        b.change.resize(n);
-        b.scratch.resize(network_.adjusted->scratch_size());
-        double before = std::numeric_limits<double>::infinity();
-        for (int k = 0; k < most_steps; ++k) {
-            if (k > 0) near_.at_state(x, b.begun, b.state, b.moved, b.residuals);
-            multiply(to_gradient_, b.residuals.data(), b.change.data());
-            network_.adjusted->step(b.change.data(), b.scratch.data());
-            double length = 0.0;
-            for (std::size_t i = 0; i < n; ++i) {
-                b.state[network_.place_of[i]] += b.change[i];
-                b.moved[network_.place_of[i]] += b.change[i];
-                length = std::max(
-                    length, std::abs(b.change[i]) * network_.adjusted->scale()[static_cast<Eigen::Index>(i)]);
-            }
-            if (!std::isfinite(length)) return false;
-            // Each step is as much shorter as the one before. The last digit of large coordinates may be more
-            // than that part of a reading's u.
-            if (length < enough || (k > 0 && length * length < enough * before) ||
-                (length < 1e-5 && length > 0.5 * before))
-                return true;
-            before = length;
-        }
-        return false;
-    }
-
     Eigen::Vector3d along(std::size_t from, std::size_t to, const double* state) const {
         return Eigen::Map<const Eigen::Vector3d>(state + 3 * to) -
                Eigen::Map<const Eigen::Vector3d>(state + 3 * from);
@@ -224,7 +162,7 @@ private:
         constexpr int most_steps = 30;
         Eigen::VectorXd z = network_.adjusted->cofactors(e);
         for (int k = 0; k < most_steps; ++k) {
-            const Eigen::VectorXd forward = to_gradient_.transpose() * z;
+            const Eigen::VectorXd forward = trials_.weighted() * z;
             const Eigen::VectorXd left = e - J.transpose() * forward;
             const Eigen::VectorXd change = network_.adjusted->cofactors(left);
             z += change;
@@ -287,8 +225,7 @@ private:
     InputSet inputs_;
     mutable std::once_flag tables_made_;
     mutable std::vector<Table> tables_;  ///< made when they are first asked for
-    network::NearPredictions near_;
-    adjustment::SparseRows to_gradient_;  ///< J₀ᵀ C⁻¹
+    network::AdjustedTrials trials_;
     std::vector<OutputQuantity> outputs_;
 };
 
