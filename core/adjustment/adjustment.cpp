@@ -102,8 +102,12 @@ SparseColumns lower_normal(const SparseRows& A, const Eigen::VectorXd& scale) {
         }
         outer.push_back(static_cast<int>(inner.size()));
     }
-    return Eigen::Map<const SparseColumns>(n, n, static_cast<Eigen::Index>(inner.size()), outer.data(),
-                                           inner.data(), elements.data());
+    SparseColumns normal(n, n);
+    normal.resizeNonZeros(static_cast<Eigen::Index>(inner.size()));
+    std::ranges::copy(outer, normal.outerIndexPtr());
+    std::ranges::copy(inner, normal.innerIndexPtr());
+    std::ranges::copy(elements, normal.valuePtr());
+    return normal;
 }
 
 /// Whether the readings see every direction: no pivot is rounding, and inverse iteration finds no direction
@@ -350,6 +354,10 @@ double Adjustment::cofactor(std::size_t i, std::size_t j) const {
              datum_cofactors_.row(a).dot(undetermined_.row(b)) +
              undetermined_.row(a) * of_datum_ * undetermined_.row(b).transpose();
     return q;
+}
+
+Eigen::VectorXd Adjustment::cofactors_of_readings() const {
+    return inverse().quadratic_forms(whitened_, reduced_, scale_);
 }
 
 double Adjustment::cofactor_of_readings(std::size_t a, std::size_t b) const {

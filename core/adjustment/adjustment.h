@@ -68,6 +68,8 @@ public:
     double cofactor(std::size_t i, std::size_t j) const;
     /// a Q bᵀ of two readings (whitened) that are the same or in one block.
     double cofactor_of_readings(std::size_t a, std::size_t b) const;
+    /// a Q aᵀ of every reading.
+    Eigen::VectorXd cofactors_of_readings() const;
 
 private:
     /// A factor of all unknowns, whose order others take; null where there is none.

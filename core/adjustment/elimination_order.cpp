@@ -15,9 +15,8 @@ constexpr int largest_root = 2000;
 
 std::vector<int> places_of(const SparseColumns& lower) {
     if (lower.cols() == 0) return {};
-    const SparseColumns full = lower.selfadjointView<Eigen::Lower>();
     Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order;
-    Eigen::AMDOrdering<int>()(full, order);
+    Eigen::AMDOrdering<int>()(lower.selfadjointView<Eigen::Lower>(), order);
     std::vector<int> places(static_cast<std::size_t>(lower.cols()));
     for (std::size_t k = 0; k < places.size(); ++k)
         places[static_cast<std::size_t>(order.indices()[static_cast<int>(k)])] = static_cast<int>(k);

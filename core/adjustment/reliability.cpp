@@ -52,6 +52,7 @@ Reliability reliability_of(const Adjustment& adjustment, const SparseRows& white
     if (found.degrees_of_freedom > 0) found.s0 = std::sqrt(found.sum_of_squares / found.degrees_of_freedom);
     const Eigen::VectorXd weighted = whitening.transpose() * whitened;
     found.readings.resize(adjustment.readings());
+    const double sure_to_be_found = non_centrality();
     const auto put = [&](std::size_t i, double tested, double redundancy) {
         ReadingReliability& reading = found.readings[i];
         const auto at = static_cast<Eigen::Index>(i);
@@ -62,8 +63,9 @@ Reliability reliability_of(const Adjustment& adjustment, const SparseRows& white
         if (!reading.controlled) return;
         reading.w = weighted[at] / std::sqrt(tested);
         reading.tau = found.s0 > 0.0 ? reading.w / found.s0 : 0.0;
-        reading.detectable = non_centrality() / std::sqrt(tested);
+        reading.detectable = sure_to_be_found / std::sqrt(tested);
     };
+    const Eigen::VectorXd cofactors = adjustment.cofactors_of_readings();
     std::vector<char> in_block(adjustment.readings(), 0);
     for (const CovarianceBlock& block : blocks) {
         const BlockSums sums = sums_of(adjustment, whitening, block.readings);
@@ -75,7 +77,7 @@ Reliability reliability_of(const Adjustment& adjustment, const SparseRows& white
     }
     for (std::size_t i = 0; i < in_block.size(); ++i) {
         if (in_block[i]) continue;
-        const double redundancy = 1.0 - adjustment.cofactor_of_readings(i, i),
+        const double redundancy = 1.0 - cofactors[static_cast<Eigen::Index>(i)],
                      weight = whitening.coeff(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(i));
         put(i, redundancy * weight * weight, redundancy);
     }

@@ -320,6 +320,83 @@ SelectedInverse SparseFactor::selected_inverse() const {
     return Z;
 }
 
+namespace {
+
+/// Elements of a matrix of readings with the place of their column in the order of elimination; those of each
+/// sparse column in a row.
+struct PlacedElements {
+    std::vector<int> places;                  ///< of each element; -1: its column does not count
+    std::vector<double> values;               ///< over the scale of their column
+    std::vector<int> starts, elements, rows;  ///< by sparse column: elements, and their rows
+
+    PlacedElements(const SparseRows& A, const Order& order, const std::vector<std::ptrdiff_t>& number,
+                   const Eigen::VectorXd& scale)
+        : places(static_cast<std::size_t>(A.nonZeros())),
+          values(places.size()),
+          starts(static_cast<std::size_t>(order.root) + 1, 0) {
+        const int* columns = A.innerIndexPtr();
+        for (std::size_t e = 0; e < places.size(); ++e) {
+            const std::ptrdiff_t unknown = number[static_cast<std::size_t>(columns[e])];
+            places[e] = unknown < 0 ? -1 : order.place[static_cast<std::size_t>(unknown)];
+            values[e] = A.valuePtr()[e] / scale[columns[e]];
+            if (is_sparse(e, order)) ++starts[static_cast<std::size_t>(places[e]) + 1];
+        }
+        for (std::size_t c = 1; c < starts.size(); ++c) starts[c] += starts[c - 1];
+        std::vector<int> at(starts.begin(), starts.end() - 1);
+        elements.resize(static_cast<std::size_t>(starts.back()));
+        rows.resize(elements.size());
+        for (int i = 0; i < static_cast<int>(A.rows()); ++i)
+            for (int e = A.outerIndexPtr()[i]; e < A.outerIndexPtr()[i + 1]; ++e) {
+                if (!is_sparse(static_cast<std::size_t>(e), order)) continue;
+                const auto k = static_cast<std::size_t>(
+                    at[static_cast<std::size_t>(places[static_cast<std::size_t>(e)])]++);
+                elements[k] = e;
+                rows[k] = i;
+            }
+    }
+
+private:
+    bool is_sparse(std::size_t e, const Order& order) const {
+        return places[e] >= 0 && places[e] < order.root;
+    }
+};
+
+}  // namespace
+
+Eigen::VectorXd SelectedInverse::quadratic_forms(const SparseRows& A,
+                                                 const std::vector<std::ptrdiff_t>& number,
+                                                 const Eigen::VectorXd& scale) const {
+    const PlacedElements placed(A, *order_, number, scale);
+    Eigen::VectorXd sums = Eigen::VectorXd::Zero(A.rows());
+    const auto at = [](int k) { return static_cast<std::size_t>(k); };
+    // Elements of an earlier column count with the column spread out, so that nothing is searched for.
+    std::vector<double> column(order_->place.size(), 0.0);
+    for (int c = 0; c < order_->root; ++c) {
+        for (int k = order_->starts[at(c)]; k < order_->starts[at(c) + 1]; ++k)
+            column[at(order_->rows[at(k)])] = 2.0 * values_[at(k)];
+        column[at(c)] = diagonal_[at(c)];
+        for (int k = placed.starts[at(c)]; k < placed.starts[at(c) + 1]; ++k) {
+            const int row = placed.rows[at(k)];
+            double sum = 0.0;
+            for (int e = A.outerIndexPtr()[row]; e < A.outerIndexPtr()[row + 1]; ++e)
+                if (placed.places[at(e)] >= c) sum += placed.values[at(e)] * column[at(placed.places[at(e)])];
+            sums[row] += placed.values[at(placed.elements[at(k)])] * sum;
+        }
+        for (int k = order_->starts[at(c)]; k < order_->starts[at(c) + 1]; ++k)
+            column[at(order_->rows[at(k)])] = 0.0;
+    }
+    const int root = order_->root;
+    for (int i = 0; i < static_cast<int>(A.rows()); ++i)
+        for (int e = A.outerIndexPtr()[i]; e < A.outerIndexPtr()[i + 1]; ++e)
+            for (int f = A.outerIndexPtr()[i]; f < A.outerIndexPtr()[i + 1]; ++f) {
+                const int a = placed.places[at(e)], b = placed.places[at(f)];
+                if (a >= root && b >= root)
+                    sums[i] += placed.values[at(e)] * placed.values[at(f)] *
+                               root_(std::max(a, b) - root, std::min(a, b) - root);
+            }
+    return sums;
+}
+
 double SelectedInverse::at(std::size_t i, std::size_t j) const {
     const int a = std::min(order_->place[i], order_->place[j]),
               b = std::max(order_->place[i], order_->place[j]);

@@ -32,6 +32,10 @@ class SelectedInverse {
 public:
     /// 0 where the element was not computed.
     double at(std::size_t i, std::size_t j) const;
+    /// a Z aᵀ of each row a of A, whose columns are first divided by their `scale`; `number`: the unknown of
+    /// each column, negative for columns that do not count.
+    Eigen::VectorXd quadratic_forms(const SparseRows& A, const std::vector<std::ptrdiff_t>& number,
+                                    const Eigen::VectorXd& scale) const;
 
 private:
     friend class SparseFactor;

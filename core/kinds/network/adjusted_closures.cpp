@@ -2,10 +2,12 @@
 // back, rounds of one station, loops of height differences and of coordinate differences; those of faces,
 // double targets and distances have files of their own.
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <deque>
 #include <map>
 #include <numbers>
+#include <tuple>
 
 #include "core/kinds/network/closure_sums.h"
 #include "core/text/numbers.h"
@@ -20,6 +22,52 @@ double difference_of(const AdjustedReading& r) {
     const bool of_heights = r.kind == ReadingKind::height_difference || r.kind == ReadingKind::dz;
     return of_heights ? r.value + r.height_from - r.height_to : r.value;
 }
+
+/// What readings have in common that were made again: kind, points, round, heights, face.
+using SameReading =
+    std::tuple<ReadingKind, std::size_t, std::size_t, std::size_t, std::size_t, double, double, bool>;
+
+SameReading key_of(const AdjustedReading& r) {
+    const bool distance = r.kind == ReadingKind::slope_distance || r.kind == ReadingKind::horizontal_distance,
+               back = distance && r.from > r.to;
+    return {r.kind,
+            back ? r.to : r.from,
+            back ? r.from : r.to,
+            distance ? 0 : r.second,
+            r.round,
+            back ? r.height_to : r.height_from,
+            back ? r.height_from : r.height_to,
+            r.face_two};
+}
+
+/// The first readings of all that were made again, found by a table of twice as many places: a network has
+/// hardly any other, and a tree of them would take longer than its equations.
+class FirstReadings {
+public:
+    explicit FirstReadings(const std::vector<AdjustedReading>& readings)
+        : readings_(readings), table_(std::bit_ceil(2 * readings.size() + 1), none) {}
+
+    /// The first of those that are the same as this one.
+    std::size_t first_like(std::size_t reading) {
+        const SameReading key = key_of(readings_[reading]);
+        std::size_t at = 0;
+        const auto mix = [&at](const auto& part) {
+            at = (at ^ std::hash<std::decay_t<decltype(part)>>()(part)) * 0x9E3779B97F4A7C15U;
+            at ^= at >> 29U;
+        };
+        std::apply([&](const auto&... parts) { (mix(parts), ...); }, key);
+        for (;; ++at) {
+            std::size_t& known = table_[at & (table_.size() - 1)];
+            if (known == none) known = reading;
+            if (known == reading || key_of(readings_[known]) == key) return known;
+        }
+    }
+
+private:
+    static constexpr std::size_t none = static_cast<std::size_t>(-1);
+    const std::vector<AdjustedReading>& readings_;
+    std::vector<std::size_t> table_;
+};
 
 class ClosureSearch {
 public:
@@ -36,9 +84,7 @@ public:
 private:
     /// Compares readings that were made again, or from the other end, each with the first.
     void compare_repeated() {
-        using Key =
-            std::tuple<ReadingKind, std::size_t, std::size_t, std::size_t, std::size_t, double, double, bool>;
-        std::map<Key, std::size_t> first;
+        FirstReadings firsts(network_.readings);
         for (std::size_t i = 0; i < network_.readings.size(); ++i) {
             const AdjustedReading& r = network_.readings[i];
             const bool distance =
@@ -47,24 +93,16 @@ private:
                               (r.kind >= ReadingKind::dx && r.kind <= ReadingKind::dz);
             if (!is_read(r.kind) || is_in_frame(r.kind) || loop) continue;
             const bool back = distance && r.from > r.to;
-            const Key key{r.kind,
-                          back ? r.to : r.from,
-                          back ? r.from : r.to,
-                          distance ? 0 : r.second,
-                          r.round,
-                          back ? r.height_to : r.height_from,
-                          back ? r.height_from : r.height_to,
-                          r.face_two};
-            const auto [known, added] = first.try_emplace(key, i);
-            if (added) continue;
-            const AdjustedReading& before = network_.readings[known->second];
+            const std::size_t first = firsts.first_like(i);
+            if (first == i) continue;
+            const AdjustedReading& before = network_.readings[first];
             const double d = r.value - before.value;
             const Message words = words_of(network_, r);
             sums_.add(is_of_other_face(r, d)              ? tell<"%1, again, half a turn off (say that it is "
                                                                  "of face two)">(words)
                       : back != (before.from > before.to) ? tell<"%1, there and back">(words)
                                                           : tell<"%1, again">(words),
-                      {{known->second, -1.0}, {i, 1.0}},
+                      {{first, -1.0}, {i, 1.0}},
                       is_of_angle(r.kind) ? std::remainder(d, 2.0 * std::numbers::pi) : d);
         }
     }
@@ -84,8 +122,11 @@ private:
     void compare_rounds() {
         std::map<std::size_t, std::vector<DirectionsOfRound>> stations;
         std::vector<DirectionsOfRound> rounds(network_.rounds.size());
+        std::vector<int> rounds_at(network_.points.size(), 0);
+        for (const Round& round : network_.rounds) ++rounds_at[round.station];
         for (std::size_t i = 0; i < network_.readings.size(); ++i)
-            if (const AdjustedReading& r = network_.readings[i]; r.kind == ReadingKind::direction)
+            if (const AdjustedReading& r = network_.readings[i];
+                r.kind == ReadingKind::direction && rounds_at[r.from] > 1)
                 rounds[r.round].try_emplace({r.to, r.face_two}, i);
         for (std::size_t k = 0; k < rounds.size(); ++k)
             stations[network_.rounds[k].station].push_back(std::move(rounds[k]));

@@ -57,6 +57,7 @@ struct FaceFigure {
 class FaceFigures {
 public:
     explicit FaceFigures(const ClosureSums& sums) : sums_(sums), network_(sums.network) {
+        if (std::ranges::none_of(network_.readings, &AdjustedReading::face_two)) return;
         const auto sines = sines_of_sights();
         using Sight =
             std::tuple<ReadingKind, std::size_t, std::size_t, std::size_t, double, double, std::string>;

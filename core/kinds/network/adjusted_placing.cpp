@@ -52,8 +52,9 @@ void Placing::spread_heights() {
     for (bool more = true; more;) {
         more = false;
         for (const AdjustedReading& r : network_.readings) {
+            if (heights_[r.from] == heights_[r.to]) continue;
             const auto up = rise(r);
-            if (!up || heights_[r.from] == heights_[r.to]) continue;
+            if (!up) continue;
             if (!network_.points[r.from].has(2) || !network_.points[r.to].has(2)) continue;
             heights_[r.to] ? height(r.from) = height(r.to) - *up : height(r.to) = height(r.from) + *up;
             heights_[r.from] = heights_[r.to] = 1;

@@ -1,5 +1,6 @@
 // Equations of the readings of a network adjustment as functions of its points, and their derivatives.
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -314,6 +315,7 @@ adjustment::SparseRows design_of(const AdjustedNetwork& network, const double* s
     columns.reserve(usual * network.readings.size());
     values.reserve(usual * network.readings.size());
     StateTerms terms;
+    terms.reserve(2 * usual);
     for (const AdjustedReading& reading : network.readings) {
         derivatives(network, reading, state, terms);
         const auto first = static_cast<std::size_t>(starts.back());
@@ -331,10 +333,13 @@ adjustment::SparseRows design_of(const AdjustedNetwork& network, const double* s
         }
         starts.push_back(static_cast<int>(columns.size()));
     }
-    return Eigen::Map<const adjustment::SparseRows>(static_cast<Eigen::Index>(network.readings.size()),
-                                                    static_cast<Eigen::Index>(network.place_of.size()),
-                                                    static_cast<Eigen::Index>(columns.size()), starts.data(),
-                                                    columns.data(), values.data());
+    adjustment::SparseRows design(static_cast<Eigen::Index>(network.readings.size()),
+                                  static_cast<Eigen::Index>(network.place_of.size()));
+    design.resizeNonZeros(static_cast<Eigen::Index>(columns.size()));
+    std::ranges::copy(starts, design.outerIndexPtr());
+    std::ranges::copy(columns, design.innerIndexPtr());
+    std::ranges::copy(values, design.valuePtr());
+    return design;
 }
 
 Eigen::VectorXd residuals_of(const AdjustedNetwork& network, const double* state) {

@@ -75,27 +75,37 @@ private:
                 place, tell<"and %1 further ways in which the points can move">(open.size() - most_said));
     }
 
-    double sum_at(const Eigen::VectorXd& state) const {
-        return (network_.whitening * residuals_of(network_, state.data())).squaredNorm();
+    Eigen::VectorXd whitened_at(const Eigen::VectorXd& state) const {
+        return network_.whitening * residuals_of(network_, state.data());
+    }
+
+    /// Whether the search may end with this step. Each step is as much shorter as the one before, and so is
+    /// the change of the derivatives: the place where they were taken is then near enough to the estimates.
+    bool is_settled(double length) const {
+        constexpr double enough = 1e-9;  // as a part of a reading's u
+        constexpr double nothing = 1e-5;
+        const bool at_rounding = length < 1e-5 && length > 0.5 * last_;
+        const bool follows =
+            std::isfinite(last_) && length < nothing * last_ && length * length < enough * last_;
+        return length < enough || at_rounding || follows;
     }
 
     /// Takes the whole step, or halves it until the sum falls; false where it never does.
     bool step(const adjustment::Adjustment& adjusted) {
-        const Eigen::VectorXd r = network_.whitening * residuals_of(network_, network_.state.data());
+        const Eigen::VectorXd r = whitened_.size() > 0 ? whitened_ : whitened_at(network_.state);
         const Eigen::VectorXd change = adjusted.step(adjusted.whitened().transpose() * r);
         if (!change.allFinite()) return false;
         const double length = change.cwiseProduct(adjusted.scale()).lpNorm<Eigen::Infinity>();
         const double before = r.squaredNorm();
         for (double part = 1.0; part > 1e-6; part *= 0.5) {
             const Eigen::VectorXd moved = moved_by(adjusted, part * change);
-            const double sum = sum_at(moved);
+            whitened_ = whitened_at(moved);
+            const double sum = whitened_.squaredNorm();
             // Near the end the sum only rounds; the datum's own part may raise it a little.
             if (!(sum <= before * (1.0 + 1e-9) + 1e-9) && length > 1e-3) continue;
             network_.state = moved;
-            constexpr double enough = 1e-9;  // as a part of a reading's u
-            const bool at_rounding = length < 1e-5 && length > 0.5 * last_;
-            settled_ = part == 1.0 && (length < enough || at_rounding);
-            last_ = length;
+            settled_ = part == 1.0 && is_settled(length);
+            last_ = part == 1.0 ? length : std::numeric_limits<double>::infinity();
             return true;
         }
         return false;
@@ -120,6 +130,7 @@ private:
 
     AdjustedNetwork& network_;
     Problems& problems_;
+    Eigen::VectorXd whitened_;  ///< whitened residuals at the state; none before the first step
     bool settled_ = false;
     double last_ = std::numeric_limits<double>::infinity();
 };

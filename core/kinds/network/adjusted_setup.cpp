@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <unordered_map>
 
 #include "core/base/disjoint_sets.h"
 
@@ -198,7 +199,7 @@ bool is_left_out(const Typed& stated, const std::string& label) {
 
 /// Brings an angle as read in face two to face one: of a zenith angle z it makes 2 pi - z, of a direction or
 /// azimuth a the angle a - pi.
-void bring_to_face_one(const Typed::Reading& typed, AdjustedReading& reading, const Message& words,
+void bring_to_face_one(const AdjustedNetwork& made, const Typed::Reading& typed, AdjustedReading& reading,
                        Problems& problems) {
     constexpr double half_turn = std::numbers::pi;
     if (typed.face_two && (typed.kind == ReadingKind::direction || typed.kind == ReadingKind::azimuth)) {
@@ -209,6 +210,9 @@ void bring_to_face_one(const Typed::Reading& typed, AdjustedReading& reading, co
     reading.face_two = typed.face_two || reading.value > half_turn;
     if (reading.face_two) reading.value = 2.0 * half_turn - reading.value;
     if (reading.value > 0.0 && reading.value < half_turn) return;
+    AdjustedReading as_typed = reading;
+    as_typed.face_two = false;
+    const Message words = words_of(made, as_typed);
     problems.error(
         reading.source,
         typed.face_two
@@ -251,6 +255,7 @@ public:
         for (std::size_t row = 0; row < stated_.figures.size(); ++row)
             made_.figures.push_back(figure_of_row(stated_, row, made_, problems_));
         take_own_frames(stated_, made_, problems_);
+        made_.readings.reserve(stated_.readings.size() + 3 * stated_.points.size());
         for (std::size_t row = 0; row < stated_.readings.size(); ++row) take_reading(row);
         for (std::size_t row = 0; row < stated_.distances.size(); ++row) take_distance(row);
         take_date();
@@ -361,20 +366,20 @@ private:
         const bool angle = is_of_angle(typed.kind);
         const auto& value = angle ? typed.angle : typed.length;
         const auto& u = angle ? typed.u_angle : typed.u_length;
-        const Message words = words_of(made_, reading);
+        const auto words = [&] { return words_of(made_, reading); };  // which only problems need
         if (!value || !u)
             return problems_.error(reading.source,
-                                   !value ? tell<"%1: its value is missing">(words)
-                                          : tell<"%1: its standard uncertainty is missing">(words));
+                                   !value ? tell<"%1: its value is missing">(words())
+                                          : tell<"%1: its standard uncertainty is missing">(words()));
         if (angle ? typed.length.has_value() : typed.angle.has_value())
-            problems_.error(reading.source, angle ? tell<"%1 is an angle and has a length">(words)
-                                                  : tell<"%1 is a length and has an angle">(words));
+            problems_.error(reading.source, angle ? tell<"%1 is an angle and has a length">(words())
+                                                  : tell<"%1 is a length and has an angle">(words()));
         reading.value = *value;
         reading.u = *u;
         const bool distance =
             typed.kind == ReadingKind::slope_distance || typed.kind == ReadingKind::horizontal_distance;
-        if (distance && !(*value > 0.0)) problems_.error(reading.source, tell<"%1 is not positive">(words));
-        bring_to_face_one(typed, reading, words, problems_);
+        if (distance && !(*value > 0.0)) problems_.error(reading.source, tell<"%1 is not positive">(words()));
+        bring_to_face_one(made_, typed, reading, problems_);
     }
 
     std::size_t round_of(std::size_t station, const std::string& name) {
@@ -527,7 +532,7 @@ private:
     const Typed& stated_;
     Problems& problems_;
     AdjustedNetwork made_;
-    std::map<std::string, std::size_t> names_;
+    std::unordered_map<std::string, std::size_t> names_;
     std::map<std::size_t, std::size_t> leaning_;  ///< number of the instrument that leans, by its point
     std::map<std::pair<std::size_t, std::string>, std::size_t> rounds_;
 };

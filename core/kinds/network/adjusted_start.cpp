@@ -50,6 +50,10 @@ class PlaneReadings {
 public:
     explicit PlaneReadings(const AdjustedNetwork& network)
         : network_(network), rounds_(network.rounds.size()), by_point_(network.points.size()) {
+        if (std::ranges::none_of(network.points, [](const AdjustedPoint& p) {
+                return p.has(0) && !(p.placed[0] && p.placed[1]);
+            }))
+            return;  // they place nothing
         std::map<std::pair<std::size_t, std::size_t>, double> zenith;
         for (const AdjustedReading& r : network.readings)
             if (r.kind == ReadingKind::zenith_angle) zenith.try_emplace({r.from, r.to}, r.value);

@@ -4,6 +4,7 @@
 #include <Eigen/Dense>
 #include <cmath>
 
+#include "core/adjustment/lanes.h"
 #include "core/adjustment/reliability.h"
 
 namespace covaria::adjustment_test {
@@ -191,6 +192,48 @@ TEST(Adjustment, CorrelatedReadingsAreWeighedByTheirCovariance) {
     EXPECT_EQ(adjustment::whitening(l.u, {{{0, 1}, Eigen::Matrix2d::Ones()}}).rows(), 0) << "no covariance";
 }
 
+// A right-hand side in each lane, of a network that is free.
+template <class Numbers>
+void expect_steps_of_lanes(const Adjustment& a) {
+    const std::size_t n = a.unknowns();
+    std::vector<Numbers> x(n), scratch(a.scratch_size());
+    Eigen::MatrixXd gradients(static_cast<Eigen::Index>(Numbers::size), static_cast<Eigen::Index>(n));
+    for (Eigen::Index i = 0; i < gradients.cols(); ++i)
+        for (Eigen::Index lane = 0; lane < gradients.rows(); ++lane)
+            gradients(lane, i) = 1e3 * std::sin(1.0 + 3.1 * double(i) + 0.7 * double(lane));
+    // The last unknown is what the others leave over: no reading pulls the network as a whole.
+    gradients.col(gradients.cols() - 1) = -gradients.leftCols(gradients.cols() - 1).rowwise().sum();
+    for (std::size_t i = 0; i < n; ++i)
+        x[i] = Numbers::load(gradients.col(static_cast<Eigen::Index>(i)).data());
+    a.step(x.data(), scratch.data());
+    for (Eigen::Index lane = 0; lane < gradients.rows(); ++lane) {
+        const Eigen::VectorXd alone = a.step(Eigen::VectorXd(gradients.row(lane)));
+        for (std::size_t i = 0; i < n; ++i) {
+            std::array<double, Numbers::size> numbers;
+            x[i].store(numbers.data());
+            EXPECT_NEAR(numbers[static_cast<std::size_t>(lane)], alone[static_cast<Eigen::Index>(i)],
+                        1e-12 * alone.norm());
+        }
+    }
+}
+
+TEST(Adjustment, StepsManyRightHandSidesAsEachByItself) {
+    const Levelling l = levelling();
+    const Adjustment a(l.sparse(), adjustment::whitening(l.u, {}), {0, 2, 3});
+    ASSERT_TRUE(a.is_solved());
+    expect_steps_of_lanes<adjustment::OneLane>(a);
+    expect_steps_of_lanes<adjustment::FewLanes>(a);
+    expect_steps_of_lanes<adjustment::ManyLanes>(a);
+}
+
+TEST(Adjustment, HasTheCofactorsOfAllReadingsAtOnce) {
+    const Levelling l = levelling();
+    const Adjustment a(l.sparse(), adjustment::whitening(l.u, {}), {0, 2, 3});
+    const Eigen::VectorXd all = a.cofactors_of_readings();
+    for (std::size_t i = 0; i < a.readings(); ++i)
+        EXPECT_NEAR(all[static_cast<Eigen::Index>(i)], a.cofactor_of_readings(i, i), 1e-13);
+}
+
 // Elements of the inverse by the factor's own pattern, of a larger matrix with fill.
 TEST(SparseFactor, SolvesAndInvertsWhatItHas) {
     constexpr int n = 60;
@@ -213,6 +256,19 @@ TEST(SparseFactor, SolvesAndInvertsWhatItHas) {
     const Eigen::VectorXd x = inverse * b;
     factor.solve(b.data(), scratch.data());
     EXPECT_LT((b - x).norm(), 1e-12);
+    // Rows whose unknowns the matrix connects; the unknown of the last column is held.
+    Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(n, n + 1);
+    std::vector<std::ptrdiff_t> number(n + 1, -1);
+    for (int i = 0; i < n; ++i) {
+        number[std::size_t(i)] = i;
+        rows(i, i) = 1.0 + 0.1 * i;
+        rows(i, (i + 1) % n) = -2.0;
+        rows(i, n) = 3.0;
+    }
+    const Eigen::VectorXd scale = Eigen::VectorXd::LinSpaced(n + 1, 1.0, 3.0);
+    const Eigen::VectorXd forms = Z.quadratic_forms(rows.sparseView(), number, scale);
+    const Eigen::MatrixXd scaled = (rows * scale.cwiseInverse().asDiagonal()).leftCols(n);
+    EXPECT_LT((forms - (scaled * inverse * scaled.transpose()).diagonal()).norm(), 1e-12);
     A(5, 5) = -4.0;
     EXPECT_FALSE(factor.factorise(Eigen::MatrixXd(A.triangularView<Eigen::Lower>()).sparseView()));
 }
