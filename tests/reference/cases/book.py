@@ -33,7 +33,7 @@ EVALUATORS = {"network-adjustment": networks.evaluate, "pose-from-points": poses
               "calibration-curve": curves.evaluate, "observations-in-groups": groups.evaluate}
 CHANGE = 1e-8
 # An angle comes from direction cosines, so that what is rounded is of the size of one radian.
-ANGLE = {"deg": 180 / mp.pi, "gon": 200 / mp.pi}
+ANGLE = {"deg": 180 / mp.pi, "gon": 200 / mp.pi, "µrad": 10 ** 6, "urad": 10 ** 6}
 TESTS = pathlib.Path(__file__).resolve().parents[3]
 FOLDER = TESTS / "resources" / "verification"
 
@@ -85,7 +85,7 @@ def changed(value, draw, key=""):
         return {k: changed(v, draw, k) for k, v in value.items()}
     if isinstance(value, list):
         return [changed(v, draw, key) for v in value]
-    if isinstance(value, (int, float)) and not isinstance(value, bool) and key not in ("joint", "n", "nu", "degree"):
+    if isinstance(value, (int, float)) and not isinstance(value, bool) and key not in ("joint", "n", "nu", "degree", "points"):
         return value * (1 + draw.choice((-1, 1)) * CHANGE)
     return value
 

@@ -1,0 +1,49 @@
+"""Shipped projects by the law of propagation: figures of the second evaluator for models that no other maker of cases has."""
+import json
+import sys
+
+from book import EVALUATORS, FOLDER, TESTS, Book  # first, for the folder of the evaluators
+
+import ballbars
+from compare import results_of
+
+EVALUATORS["tcp-from-ballbars"] = ballbars.evaluate
+PROJECTS = {"ballbar-tcp": ["paper", "stated"], "er10l-c10": ["zero-pose", "zero-pose-components", "zero-pose-nominal", "poses", "section-4-1-a", "section-4-1-b", "section-4-1-c"],
+            "tracker-pose": ["tracker-alone"]}
+
+
+def stated(evaluate, outputs):
+    """The evaluator without results that the analysis does not ask for."""
+    def those(entry, project):
+        results, inputs = evaluate(entry, project)
+        return {key: value for key, value in results.items() if (key if isinstance(key, tuple) else (key, "")) in outputs}, inputs
+    return those
+
+
+def main(program):
+    book = Book("shipped", "Shipped projects by the law of propagation", "Analyses of shipped projects, evaluated by the law of propagation. Reference values of a second evaluator: see covaria verify.")
+    for name, analyses in PROJECTS.items():
+        path = TESTS / "projects" / f"{name}.covaria"
+        content = json.loads(path.read_text())
+        outputs = {one["id"]: one["outputs"] for one in results_of(program, str(path))["analyses"]}  # only their units
+        for asset in content.get("assets", []):
+            book.asset(asset)
+        for entry in content["analyses"]:
+            if entry["id"] not in analyses:
+                continue
+            known = len(book.project["analyses"])
+            made = book.analysis(f"{name}-{entry['id']}", entry["model"], f"{content['title']}: {entry['name']}", entry["setup"])
+            evaluate = EVALUATORS[entry["model"]]
+            EVALUATORS[entry["model"]] = stated(evaluate, {(output["symbol"], output["group"]) for output in outputs[entry["id"]]})
+            units = {output["symbol"]: output["unit"] for output in outputs[entry["id"]]}
+            try:
+                book.case(made["name"], f"second evaluator (tests/reference), 50 digits; projects/{name}.covaria", made, units, None, None, ["JCGM 102:2011, 6.2"], draws=2, size=1)
+            except NotImplementedError as what:
+                print(f"{name}/{entry['id']}: left out: {what}")
+                del book.project["analyses"][known:]
+            EVALUATORS[entry["model"]] = evaluate
+    book.write("Shipped projects: a second evaluator at 50 digits, made by tests/reference/cases/shipped.py")
+
+
+if __name__ == "__main__":
+    main(sys.argv[1])
