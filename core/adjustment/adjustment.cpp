@@ -214,7 +214,6 @@ Adjustment::Adjustment(SparseRows design, const SparseRows& whitening, const std
 
 void Adjustment::take_to_datum(const std::vector<std::size_t>& datum) {
     const Eigen::Index d = undetermined_.cols();
-    open_.resize(scale_.size(), 0);
     if (d == 0) return;
     const auto in_datum = static_cast<Eigen::Index>(datum.size());
     Eigen::MatrixXd of_datum(std::max<Eigen::Index>(in_datum, d), d);
@@ -362,12 +361,6 @@ Eigen::VectorXd Adjustment::cofactors_of_readings() const {
 
 double Adjustment::cofactor_of_readings(std::size_t a, std::size_t b) const {
     double sum = 0.0;
-    const auto row = static_cast<Eigen::Index>(a);
-    for (SparseRows::InnerIterator i(whitened_, row); a == b && i; ++i)
-        for (SparseRows::InnerIterator j(whitened_, row); j && j.col() <= i.col(); ++j)
-            sum += (i.col() == j.col() ? 1.0 : 2.0) * i.value() * j.value() *
-                   held_cofactor(static_cast<std::size_t>(i.col()), static_cast<std::size_t>(j.col()));
-    if (a == b) return sum;
     for (SparseRows::InnerIterator i(whitened_, static_cast<Eigen::Index>(a)); i; ++i)
         for (SparseRows::InnerIterator j(whitened_, static_cast<Eigen::Index>(b)); j; ++j)
             sum += i.value() * j.value() *
