@@ -83,10 +83,10 @@ private:
     /// the change of the derivatives: the place where they were taken is then near enough to the estimates.
     bool is_settled(double length) const {
         constexpr double enough = 1e-9;  // as a part of a reading's u
-        constexpr double nothing = 1e-5;
+        constexpr double nothing = 3e-7, next_to_nothing = 1e-8;
         const bool at_rounding = length < 1e-5 && length > 0.5 * last_;
-        const bool follows =
-            std::isfinite(last_) && length < nothing * last_ && length * length < enough * last_;
+        const bool follows = std::isfinite(last_) && length * length < enough * last_ &&
+                             (length < nothing * last_ || length < next_to_nothing);
         return length < enough || at_rounding || follows;
     }
 
