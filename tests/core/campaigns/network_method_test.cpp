@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/evidence/seen.h"
+#include "core/kinds/registries.h"
 #include "core/made/analysis_templates.h"
 #include "core/propagation/engine.h"
 #include "tests/core/made.h"
@@ -48,7 +49,7 @@ std::vector<std::vector<Cell>> held_lengths(const PreparedAnalysis& prepared) {
 }
 
 double number(const Cell& cell) {
-    return std::get<double>(cell);
+    return std::get<Measured>(cell).si;
 }
 
 /// The truth is what the readings of the example were simulated with.
