@@ -14365,10 +14365,6 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
         <translation>Standardunsicherheit einer angegebenen Koordinate.</translation>
     </message>
     <message>
-        <source>Distances between points that are measurands too.</source>
-        <translation>Abstände zwischen Punkten, die ebenfalls Messgrößen sind.</translation>
-    </message>
-    <message>
         <source>Name of a point.</source>
         <translation>Name eines Punktes.</translation>
     </message>
@@ -19975,6 +19971,110 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     <message>
         <source>%1 is outside the scope: the laboratory has no capability for it</source>
         <translation>%1 liegt außerhalb der Akkreditierung: das Laboratorium hat dafür keine kleinste angebbare Messunsicherheit</translation>
+    </message>
+    <message>
+        <source>Distances between points that are measurands too, and calibrated lengths to hold them against.</source>
+        <translation>Abstände zwischen Punkten, die ebenfalls Messgrößen sind, und kalibrierte Längen, gegen die sie gehalten werden.</translation>
+    </message>
+    <message>
+        <source>A calibrated length of the distance, or what was measured along one line of sight. It is held back from the adjustment, which is held against it (E_n).</source>
+        <translation>Eine kalibrierte Länge des Abstands, oder was entlang einer Ziellinie gemessen wurde. Die Ausgleichung verwendet sie nicht und wird dagegen gehalten (E_n).</translation>
+    </message>
+    <message>
+        <source>u of reference</source>
+        <translation>u der Referenz</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of the reference.</source>
+        <translation>Standardunsicherheit der Referenz.</translation>
+    </message>
+    <message>
+        <source>Date of the readings</source>
+        <translation>Datum der Ablesungen</translation>
+    </message>
+    <message>
+        <source>For the chart of figures over campaigns: 2026-11-28; empty: not stated.</source>
+        <translation>Für das Diagramm der Angaben über den Kampagnen: 2026-11-28; leer: nicht angegeben.</translation>
+    </message>
+    <message>
+        <source>Network method for a tracker</source>
+        <translation>Netzverfahren für einen Lasertracker</translation>
+    </message>
+    <message>
+        <source>What a tracker&apos;s readings are worth, from the same targets seen from several unknown places, and E_n against calibrated lengths.</source>
+        <translation>Was die Ablesungen eines Lasertrackers wert sind, aus denselben Zielpunkten, von mehreren unbekannten Orten gesehen, und E_n gegen kalibrierte Längen.</translation>
+    </message>
+    <message>
+        <source>Figures of a laser tracker by the network method</source>
+        <translation>Angaben eines Lasertrackers nach dem Netzverfahren</translation>
+    </message>
+    <message>
+        <source>One laser tracker, put up at five places that nobody measured, read the same ten nests; it leans a little everywhere.</source>
+        <translation>Ein Lasertracker hat von fünf Orten, die niemand gemessen hat, dieselben zehn Nester abgelesen; überall steht er ein wenig schief.</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty as seen, over campaigns</source>
+        <translation>Standardunsicherheit wie gesehen, über den Kampagnen</translation>
+    </message>
+    <message>
+        <source>Seen over stated, over campaigns</source>
+        <translation>Gesehen durch angegeben, über den Kampagnen</translation>
+    </message>
+    <message>
+        <source>years since the first campaign</source>
+        <translation>Jahre seit der ersten Kampagne</translation>
+    </message>
+    <message>
+        <source>campaign, in the order of the set-up</source>
+        <translation>Kampagne, in der Reihenfolge der Angaben</translation>
+    </message>
+    <message>
+        <source>as seen</source>
+        <translation>wie gesehen</translation>
+    </message>
+    <message>
+        <source>its 95 % interval</source>
+        <translation>ihr 95-%-Intervall</translation>
+    </message>
+    <message>
+        <source>95 % interval of the next campaign</source>
+        <translation>95-%-Intervall der nächsten Kampagne</translation>
+    </message>
+    <message>
+        <source>calibrated lengths, held back from the adjustment; U of the difference, k = 2</source>
+        <translation>kalibrierte Längen, von der Ausgleichung zurückgehalten; U des Unterschieds, k = 2</translation>
+    </message>
+    <message>
+        <source>a reference length and its u belong together</source>
+        <translation>eine Referenzlänge und ihre u gehören zusammen</translation>
+    </message>
+    <message>
+        <source>Calibrated lengths held back from the adjustment</source>
+        <translation>Von der Ausgleichung zurückgehaltene kalibrierte Längen</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>as adjusted</source>
+        <translation>ausgeglichen</translation>
+    </message>
+    <message>
+        <source>adjusted less reference</source>
+        <translation>ausgeglichen minus Referenz</translation>
+    </message>
+    <message>
+        <source>U of the difference (k = 2)</source>
+        <translation>U des Unterschieds (k = 2)</translation>
+    </message>
+    <message>
+        <source>E_n = |d|/U: up to 1 the network agrees with the length. No reading knows it, so that it also speaks for or against what all readings have in common: the scale of distances.</source>
+        <translation>E_n = |d|/U: bis 1 stimmt das Netz mit der Länge überein. Keine Ablesung kennt sie, so dass sie auch für oder gegen das spricht, was allen Ablesungen gemeinsam ist: den Maßstab der Strecken.</translation>
+    </message>
+    <message>
+        <source>%1 as adjusted differs from its reference by %2 µm, with E_n = %3: look for a wrong scale of distances, a wrong reference, or uncertainties that are too small</source>
+        <translation>%1, ausgeglichen, weicht um %2 µm von der Referenz ab, mit E_n = %3: ein falscher Maßstab der Strecken, eine falsche Referenz oder zu kleine Unsicherheiten sind zu suchen</translation>
     </message>
 </context>
 <context>

@@ -14365,10 +14365,6 @@ nu 18 detrás de cualquiera de ellos: grados de libertad</translation>
         <translation>Incertidumbre típica de una coordenada indicada.</translation>
     </message>
     <message>
-        <source>Distances between points that are measurands too.</source>
-        <translation>Distancias entre puntos que también son mensurandos.</translation>
-    </message>
-    <message>
         <source>Name of a point.</source>
         <translation>Nombre de un punto.</translation>
     </message>
@@ -19975,6 +19971,110 @@ nu 18 detrás de cualquiera de ellos: grados de libertad</translation>
     <message>
         <source>%1 is outside the scope: the laboratory has no capability for it</source>
         <translation>%1 queda fuera del alcance: el laboratorio no tiene capacidad para ello</translation>
+    </message>
+    <message>
+        <source>Distances between points that are measurands too, and calibrated lengths to hold them against.</source>
+        <translation>Distancias entre puntos que también son mensurandos, y longitudes calibradas con las que contrastarlas.</translation>
+    </message>
+    <message>
+        <source>A calibrated length of the distance, or what was measured along one line of sight. It is held back from the adjustment, which is held against it (E_n).</source>
+        <translation>Una longitud calibrada de la distancia, o lo que se midió a lo largo de una visual. La compensación no la usa y se contrasta con ella (E_n).</translation>
+    </message>
+    <message>
+        <source>u of reference</source>
+        <translation>u de la referencia</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of the reference.</source>
+        <translation>Incertidumbre típica de la referencia.</translation>
+    </message>
+    <message>
+        <source>Date of the readings</source>
+        <translation>Fecha de las lecturas</translation>
+    </message>
+    <message>
+        <source>For the chart of figures over campaigns: 2026-11-28; empty: not stated.</source>
+        <translation>Para el gráfico de las cifras según las campañas: 2026-11-28; vacío: no indicada.</translation>
+    </message>
+    <message>
+        <source>Network method for a tracker</source>
+        <translation>Método de la red para un tracker</translation>
+    </message>
+    <message>
+        <source>What a tracker&apos;s readings are worth, from the same targets seen from several unknown places, and E_n against calibrated lengths.</source>
+        <translation>Lo que valen las lecturas de un tracker, a partir de las mismas dianas vistas desde varios lugares desconocidos, y E_n frente a longitudes calibradas.</translation>
+    </message>
+    <message>
+        <source>Figures of a laser tracker by the network method</source>
+        <translation>Cifras de un tracker por el método de la red</translation>
+    </message>
+    <message>
+        <source>One laser tracker, put up at five places that nobody measured, read the same ten nests; it leans a little everywhere.</source>
+        <translation>Un tracker, puesto en cinco lugares que nadie midió, leyó los mismos diez nidos; en todos está un poco inclinado.</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty as seen, over campaigns</source>
+        <translation>Incertidumbre típica observada, según las campañas</translation>
+    </message>
+    <message>
+        <source>Seen over stated, over campaigns</source>
+        <translation>Observado entre indicado, según las campañas</translation>
+    </message>
+    <message>
+        <source>years since the first campaign</source>
+        <translation>años desde la primera campaña</translation>
+    </message>
+    <message>
+        <source>campaign, in the order of the set-up</source>
+        <translation>campaña, en el orden indicado</translation>
+    </message>
+    <message>
+        <source>as seen</source>
+        <translation>observado</translation>
+    </message>
+    <message>
+        <source>its 95 % interval</source>
+        <translation>su intervalo del 95 %</translation>
+    </message>
+    <message>
+        <source>95 % interval of the next campaign</source>
+        <translation>intervalo del 95 % de la próxima campaña</translation>
+    </message>
+    <message>
+        <source>calibrated lengths, held back from the adjustment; U of the difference, k = 2</source>
+        <translation>longitudes calibradas, reservadas sin usar en la compensación; U de la diferencia, k = 2</translation>
+    </message>
+    <message>
+        <source>a reference length and its u belong together</source>
+        <translation>una longitud de referencia y su u van juntas</translation>
+    </message>
+    <message>
+        <source>Calibrated lengths held back from the adjustment</source>
+        <translation>Longitudes calibradas reservadas, sin usar en la compensación</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Distancia</translation>
+    </message>
+    <message>
+        <source>as adjusted</source>
+        <translation>compensada</translation>
+    </message>
+    <message>
+        <source>adjusted less reference</source>
+        <translation>compensada menos referencia</translation>
+    </message>
+    <message>
+        <source>U of the difference (k = 2)</source>
+        <translation>U de la diferencia (k = 2)</translation>
+    </message>
+    <message>
+        <source>E_n = |d|/U: up to 1 the network agrees with the length. No reading knows it, so that it also speaks for or against what all readings have in common: the scale of distances.</source>
+        <translation>E_n = |d|/U: hasta 1 la red concuerda con la longitud. Ninguna lectura la conoce, de modo que también habla a favor o en contra de lo que todas tienen en común: la escala de las distancias.</translation>
+    </message>
+    <message>
+        <source>%1 as adjusted differs from its reference by %2 µm, with E_n = %3: look for a wrong scale of distances, a wrong reference, or uncertainties that are too small</source>
+        <translation>%1, compensada, difiere de su referencia en %2 µm, con E_n = %3: busque una escala errónea de las distancias, una referencia errónea o incertidumbres demasiado pequeñas</translation>
     </message>
 </context>
 <context>

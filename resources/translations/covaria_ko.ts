@@ -14364,10 +14364,6 @@ sample 1; 2; 3 weights 2; 5; 2 (그대로 뽑음), histogram 0; 1; 2 weights 5; 
         <translation>제시된 좌표의 표준불확도.</translation>
     </message>
     <message>
-        <source>Distances between points that are measurands too.</source>
-        <translation>함께 측정량이 되는 점 사이의 거리.</translation>
-    </message>
-    <message>
         <source>Name of a point.</source>
         <translation>점의 이름.</translation>
     </message>
@@ -19974,6 +19970,110 @@ sample 1; 2; 3 weights 2; 5; 2 (그대로 뽑음), histogram 0; 1; 2 weights 5; 
     <message>
         <source>%1 is outside the scope: the laboratory has no capability for it</source>
         <translation>%1은(는) 인정 범위 밖입니다: 시험소에 이에 대한 측정 능력이 없습니다</translation>
+    </message>
+    <message>
+        <source>Distances between points that are measurands too, and calibrated lengths to hold them against.</source>
+        <translation>함께 측정량이 되는 점 사이의 거리와, 그것과 비교할 교정된 길이입니다.</translation>
+    </message>
+    <message>
+        <source>A calibrated length of the distance, or what was measured along one line of sight. It is held back from the adjustment, which is held against it (E_n).</source>
+        <translation>거리의 교정된 길이 또는 한 시준선을 따라 잰 값입니다. 조정에는 쓰지 않고, 조정 결과를 이것과 비교합니다(E_n).</translation>
+    </message>
+    <message>
+        <source>u of reference</source>
+        <translation>기준값의 u</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of the reference.</source>
+        <translation>기준값의 표준불확도입니다.</translation>
+    </message>
+    <message>
+        <source>Date of the readings</source>
+        <translation>읽은 날짜</translation>
+    </message>
+    <message>
+        <source>For the chart of figures over campaigns: 2026-11-28; empty: not stated.</source>
+        <translation>측정들에 걸친 수치의 차트용: 2026-11-28. 비우면 제시하지 않음.</translation>
+    </message>
+    <message>
+        <source>Network method for a tracker</source>
+        <translation>트래커의 망 방법</translation>
+    </message>
+    <message>
+        <source>What a tracker&apos;s readings are worth, from the same targets seen from several unknown places, and E_n against calibrated lengths.</source>
+        <translation>같은 표적을 알려지지 않은 여러 위치에서 본 것으로 구한 트래커 읽음값의 가치와, 교정된 길이에 대한 E_n.</translation>
+    </message>
+    <message>
+        <source>Figures of a laser tracker by the network method</source>
+        <translation>망 방법에 의한 레이저 트래커의 수치</translation>
+    </message>
+    <message>
+        <source>One laser tracker, put up at five places that nobody measured, read the same ten nests; it leans a little everywhere.</source>
+        <translation>레이저 트래커 하나를 아무도 측정하지 않은 다섯 위치에 놓고 같은 네스트 열 개를 읽었습니다. 어디서나 조금 기울어 있습니다.</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty as seen, over campaigns</source>
+        <translation>드러난 표준불확도, 측정별</translation>
+    </message>
+    <message>
+        <source>Seen over stated, over campaigns</source>
+        <translation>드러난 값/제시된 값, 측정별</translation>
+    </message>
+    <message>
+        <source>years since the first campaign</source>
+        <translation>첫 측정 이후의 해</translation>
+    </message>
+    <message>
+        <source>campaign, in the order of the set-up</source>
+        <translation>측정, 설정의 순서</translation>
+    </message>
+    <message>
+        <source>as seen</source>
+        <translation>드러난 값</translation>
+    </message>
+    <message>
+        <source>its 95 % interval</source>
+        <translation>그 95 % 구간</translation>
+    </message>
+    <message>
+        <source>95 % interval of the next campaign</source>
+        <translation>다음 측정의 95 % 구간</translation>
+    </message>
+    <message>
+        <source>calibrated lengths, held back from the adjustment; U of the difference, k = 2</source>
+        <translation>조정에 쓰지 않고 따로 둔 교정 길이; 차이의 U, k = 2</translation>
+    </message>
+    <message>
+        <source>a reference length and its u belong together</source>
+        <translation>기준 길이와 그 u는 함께 있어야 합니다</translation>
+    </message>
+    <message>
+        <source>Calibrated lengths held back from the adjustment</source>
+        <translation>조정에 쓰지 않고 따로 둔 교정 길이</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>거리</translation>
+    </message>
+    <message>
+        <source>as adjusted</source>
+        <translation>조정된 값</translation>
+    </message>
+    <message>
+        <source>adjusted less reference</source>
+        <translation>조정값 − 기준값</translation>
+    </message>
+    <message>
+        <source>U of the difference (k = 2)</source>
+        <translation>차이의 U (k = 2)</translation>
+    </message>
+    <message>
+        <source>E_n = |d|/U: up to 1 the network agrees with the length. No reading knows it, so that it also speaks for or against what all readings have in common: the scale of distances.</source>
+        <translation>E_n = |d|/U: 1까지는 망이 그 길이와 일치합니다. 어떤 읽음값도 이 길이를 모르므로, 모든 읽음값에 공통된 것, 곧 거리의 척도에 대해서도 말해 줍니다.</translation>
+    </message>
+    <message>
+        <source>%1 as adjusted differs from its reference by %2 µm, with E_n = %3: look for a wrong scale of distances, a wrong reference, or uncertainties that are too small</source>
+        <translation>조정된 %1은(는) 기준값과 %2 µm 다르며 E_n = %3입니다: 거리의 잘못된 척도, 잘못된 기준값 또는 너무 작은 불확도를 찾으십시오</translation>
     </message>
 </context>
 <context>

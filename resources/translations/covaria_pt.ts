@@ -14365,10 +14365,6 @@ nu 18 atrás de qualquer um deles: graus de liberdade</translation>
         <translation>Incerteza-padrão de uma coordenada declarada.</translation>
     </message>
     <message>
-        <source>Distances between points that are measurands too.</source>
-        <translation>Distâncias entre pontos que também são mensurandos.</translation>
-    </message>
-    <message>
         <source>Name of a point.</source>
         <translation>Nome de um ponto.</translation>
     </message>
@@ -19975,6 +19971,110 @@ nu 18 atrás de qualquer um deles: graus de liberdade</translation>
     <message>
         <source>%1 is outside the scope: the laboratory has no capability for it</source>
         <translation>%1 está fora do escopo: o laboratório não tem capacidade para isso</translation>
+    </message>
+    <message>
+        <source>Distances between points that are measurands too, and calibrated lengths to hold them against.</source>
+        <translation>Distâncias entre pontos que também são mensurandos, e comprimentos calibrados com que confrontá-las.</translation>
+    </message>
+    <message>
+        <source>A calibrated length of the distance, or what was measured along one line of sight. It is held back from the adjustment, which is held against it (E_n).</source>
+        <translation>Um comprimento calibrado da distância, ou o que foi medido ao longo de uma visada. O ajustamento não o usa e é confrontado com ele (E_n).</translation>
+    </message>
+    <message>
+        <source>u of reference</source>
+        <translation>u da referência</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of the reference.</source>
+        <translation>Incerteza padrão da referência.</translation>
+    </message>
+    <message>
+        <source>Date of the readings</source>
+        <translation>Data das leituras</translation>
+    </message>
+    <message>
+        <source>For the chart of figures over campaigns: 2026-11-28; empty: not stated.</source>
+        <translation>Para o gráfico dos números conforme as campanhas: 2026-11-28; vazio: não indicada.</translation>
+    </message>
+    <message>
+        <source>Network method for a tracker</source>
+        <translation>Método da rede para um tracker</translation>
+    </message>
+    <message>
+        <source>What a tracker&apos;s readings are worth, from the same targets seen from several unknown places, and E_n against calibrated lengths.</source>
+        <translation>Quanto valem as leituras de um tracker, a partir dos mesmos alvos vistos de vários lugares desconhecidos, e E_n em relação a comprimentos calibrados.</translation>
+    </message>
+    <message>
+        <source>Figures of a laser tracker by the network method</source>
+        <translation>Números de um tracker pelo método da rede</translation>
+    </message>
+    <message>
+        <source>One laser tracker, put up at five places that nobody measured, read the same ten nests; it leans a little everywhere.</source>
+        <translation>Um tracker, posto em cinco lugares que ninguém mediu, leu os mesmos dez ninhos; em todos está um pouco inclinado.</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty as seen, over campaigns</source>
+        <translation>Incerteza padrão observada, conforme as campanhas</translation>
+    </message>
+    <message>
+        <source>Seen over stated, over campaigns</source>
+        <translation>Observado sobre declarado, conforme as campanhas</translation>
+    </message>
+    <message>
+        <source>years since the first campaign</source>
+        <translation>anos desde a primeira campanha</translation>
+    </message>
+    <message>
+        <source>campaign, in the order of the set-up</source>
+        <translation>campanha, na ordem indicada</translation>
+    </message>
+    <message>
+        <source>as seen</source>
+        <translation>observado</translation>
+    </message>
+    <message>
+        <source>its 95 % interval</source>
+        <translation>seu intervalo de 95 %</translation>
+    </message>
+    <message>
+        <source>95 % interval of the next campaign</source>
+        <translation>intervalo de 95 % da próxima campanha</translation>
+    </message>
+    <message>
+        <source>calibrated lengths, held back from the adjustment; U of the difference, k = 2</source>
+        <translation>comprimentos calibrados, reservados sem uso no ajustamento; U da diferença, k = 2</translation>
+    </message>
+    <message>
+        <source>a reference length and its u belong together</source>
+        <translation>um comprimento de referência e sua u andam juntos</translation>
+    </message>
+    <message>
+        <source>Calibrated lengths held back from the adjustment</source>
+        <translation>Comprimentos calibrados reservados, não usados no ajustamento</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Distância</translation>
+    </message>
+    <message>
+        <source>as adjusted</source>
+        <translation>ajustada</translation>
+    </message>
+    <message>
+        <source>adjusted less reference</source>
+        <translation>ajustada menos referência</translation>
+    </message>
+    <message>
+        <source>U of the difference (k = 2)</source>
+        <translation>U da diferença (k = 2)</translation>
+    </message>
+    <message>
+        <source>E_n = |d|/U: up to 1 the network agrees with the length. No reading knows it, so that it also speaks for or against what all readings have in common: the scale of distances.</source>
+        <translation>E_n = |d|/U: até 1 a rede concorda com o comprimento. Nenhuma leitura o conhece, de modo que ele também fala a favor ou contra o que todas têm em comum: a escala das distâncias.</translation>
+    </message>
+    <message>
+        <source>%1 as adjusted differs from its reference by %2 µm, with E_n = %3: look for a wrong scale of distances, a wrong reference, or uncertainties that are too small</source>
+        <translation>%1, ajustada, difere da sua referência em %2 µm, com E_n = %3: procure uma escala errada das distâncias, uma referência errada ou incertezas pequenas demais</translation>
     </message>
 </context>
 <context>

@@ -14364,10 +14364,6 @@ sample 1; 2; 3 weights 2; 5; 2（按原样抽取），histogram 0; 1; 2 weights 
         <translation>给出的坐标的标准不确定度。</translation>
     </message>
     <message>
-        <source>Distances between points that are measurands too.</source>
-        <translation>同样作为被测量的点间距离。</translation>
-    </message>
-    <message>
         <source>Name of a point.</source>
         <translation>一个点的名称。</translation>
     </message>
@@ -19974,6 +19970,110 @@ sample 1; 2; 3 weights 2; 5; 2（按原样抽取），histogram 0; 1; 2 weights 
     <message>
         <source>%1 is outside the scope: the laboratory has no capability for it</source>
         <translation>%1 超出认可范围：实验室对此没有测量能力</translation>
+    </message>
+    <message>
+        <source>Distances between points that are measurands too, and calibrated lengths to hold them against.</source>
+        <translation>同样作为被测量的点间距离，以及与之对照的校准长度。</translation>
+    </message>
+    <message>
+        <source>A calibrated length of the distance, or what was measured along one line of sight. It is held back from the adjustment, which is held against it (E_n).</source>
+        <translation>该距离的校准长度，或沿一条视线测得的值。平差不使用它，并与其对照（E_n）。</translation>
+    </message>
+    <message>
+        <source>u of reference</source>
+        <translation>参考值的 u</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of the reference.</source>
+        <translation>参考值的标准不确定度。</translation>
+    </message>
+    <message>
+        <source>Date of the readings</source>
+        <translation>读数日期</translation>
+    </message>
+    <message>
+        <source>For the chart of figures over campaigns: 2026-11-28; empty: not stated.</source>
+        <translation>用于各次测试指标的图表：2026-11-28；空：未给出。</translation>
+    </message>
+    <message>
+        <source>Network method for a tracker</source>
+        <translation>跟踪仪的网络法</translation>
+    </message>
+    <message>
+        <source>What a tracker&apos;s readings are worth, from the same targets seen from several unknown places, and E_n against calibrated lengths.</source>
+        <translation>由多个未知位置观测相同目标点得出的跟踪仪读数的价值，以及相对校准长度的 E_n。</translation>
+    </message>
+    <message>
+        <source>Figures of a laser tracker by the network method</source>
+        <translation>用网络法求激光跟踪仪的各项数值</translation>
+    </message>
+    <message>
+        <source>One laser tracker, put up at five places that nobody measured, read the same ten nests; it leans a little everywhere.</source>
+        <translation>一台激光跟踪仪设于五个未经测量的位置，读取同样的十个靶座；在各处都略有倾斜。</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty as seen, over campaigns</source>
+        <translation>各次测试所见的标准不确定度</translation>
+    </message>
+    <message>
+        <source>Seen over stated, over campaigns</source>
+        <translation>各次测试的所见值除以给出值</translation>
+    </message>
+    <message>
+        <source>years since the first campaign</source>
+        <translation>自首次测试起的年数</translation>
+    </message>
+    <message>
+        <source>campaign, in the order of the set-up</source>
+        <translation>测试，按设置的顺序</translation>
+    </message>
+    <message>
+        <source>as seen</source>
+        <translation>所见</translation>
+    </message>
+    <message>
+        <source>its 95 % interval</source>
+        <translation>其 95 % 区间</translation>
+    </message>
+    <message>
+        <source>95 % interval of the next campaign</source>
+        <translation>下一次测试的 95 % 区间</translation>
+    </message>
+    <message>
+        <source>calibrated lengths, held back from the adjustment; U of the difference, k = 2</source>
+        <translation>未用于平差而保留的校准长度；差值的 U，k = 2</translation>
+    </message>
+    <message>
+        <source>a reference length and its u belong together</source>
+        <translation>参考长度与其 u 应一同给出</translation>
+    </message>
+    <message>
+        <source>Calibrated lengths held back from the adjustment</source>
+        <translation>未用于平差而保留的校准长度</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>距离</translation>
+    </message>
+    <message>
+        <source>as adjusted</source>
+        <translation>平差值</translation>
+    </message>
+    <message>
+        <source>adjusted less reference</source>
+        <translation>平差值减参考值</translation>
+    </message>
+    <message>
+        <source>U of the difference (k = 2)</source>
+        <translation>差值的 U (k = 2)</translation>
+    </message>
+    <message>
+        <source>E_n = |d|/U: up to 1 the network agrees with the length. No reading knows it, so that it also speaks for or against what all readings have in common: the scale of distances.</source>
+        <translation>E_n = |d|/U：不超过 1 则网与该长度一致。任何读数都不知道它，因此它也能说明所有读数共有的东西：距离的尺度。</translation>
+    </message>
+    <message>
+        <source>%1 as adjusted differs from its reference by %2 µm, with E_n = %3: look for a wrong scale of distances, a wrong reference, or uncertainties that are too small</source>
+        <translation>%1 的平差值与参考值相差 %2 µm，E_n = %3：请查找错误的距离尺度、错误的参考值或过小的不确定度</translation>
     </message>
 </context>
 <context>

@@ -250,8 +250,9 @@ TEST(SparseFactor, SolvesAndInvertsWhatItHas) {
     const adjustment::SelectedInverse Z = factor.selected_inverse();
     for (int i = 0; i < n; ++i)
         for (int j = 0; j < n; ++j)
-            if (A(i, j) != 0.0)
+            if (A(i, j) != 0.0) {
                 EXPECT_NEAR(Z.at(std::size_t(i), std::size_t(j)), inverse(i, j), 1e-12) << i << " " << j;
+            }
     Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(n, -1.0, 2.0), scratch(n);
     const Eigen::VectorXd x = inverse * b;
     factor.solve(b.data(), scratch.data());
