@@ -241,6 +241,35 @@ void begin_scales(const Typed& stated, AdjustedNetwork& made) {
         made.state[static_cast<Eigen::Index>(made.frame(f, 6))] = stated.frames[f].ratio.value_or(0.0);
 }
 
+void take_value(const AdjustedNetwork& made, const Typed::Reading& typed, AdjustedReading& reading,
+                Problems& problems) {
+    const bool angle = is_of_angle(typed.kind);
+    const auto& value = angle ? typed.angle : typed.length;
+    const auto& u = angle ? typed.u_angle : typed.u_length;
+    const auto words = [&] { return words_of(made, reading); };  // which only problems need
+    if (!value || !u)
+        return problems.error(reading.source, !value
+                                                  ? tell<"%1: its value is missing">(words())
+                                                  : tell<"%1: its standard uncertainty is missing">(words()));
+    if (angle ? typed.length.has_value() : typed.angle.has_value())
+        problems.error(reading.source, angle ? tell<"%1 is an angle and has a length">(words())
+                                             : tell<"%1 is a length and has an angle">(words()));
+    reading.value = *value;
+    reading.u = *u;
+    const bool distance =
+        typed.kind == ReadingKind::slope_distance || typed.kind == ReadingKind::horizontal_distance;
+    if (distance && !(*value > 0.0)) problems.error(reading.source, tell<"%1 is not positive">(words()));
+    bring_to_face_one(made, typed, reading, problems);
+}
+
+void take_date(const Typed& stated, AdjustedNetwork& made, Problems& problems) {
+    if (stated.read_on.empty()) return;
+    made.read_on = date_of(stated.read_on);
+    if (!made.read_on)
+        problems.error(adjustment_fields().place(&Typed::read_on),
+                       tell<"a date of the form 2026-04-17 is needed; it is '%1'">(stated.read_on));
+}
+
 class AdjustmentReading {
 public:
     AdjustmentReading(const Typed& stated, Problems& problems) : stated_(stated), problems_(problems) {}
@@ -258,7 +287,7 @@ public:
         made_.readings.reserve(stated_.readings.size() + 3 * stated_.points.size());
         for (std::size_t row = 0; row < stated_.readings.size(); ++row) take_reading(row);
         for (std::size_t row = 0; row < stated_.distances.size(); ++row) take_distance(row);
-        take_date();
+        take_date(stated_, made_, problems_);
         if (problems_.has_errors()) return {};
         for (std::size_t row = 0; row < stated_.points.size(); ++row) add_stated_coordinates(row);
         add_stated_tilts();
@@ -348,7 +377,7 @@ private:
             return problems_.error(path, tell<"a reading from %1 to itself">(typed.from));
         if (typed.kind == ReadingKind::angle && *to == *second)
             return problems_.error(path, tell<"both legs of the angle at %1 go to %2">(typed.from, typed.to));
-        take_value(typed, reading);
+        take_value(made_, typed, reading, problems_);
         if (typed.left_out) return tell_left_out(made_, reading, typed.why_left_out);
         for (std::size_t f = 0; f < made_.figures.size(); ++f)
             if (is_changed(made_.figures[f], typed)) reading.figures.push_back(f);
@@ -362,38 +391,10 @@ private:
         made_.readings.push_back(std::move(reading));
     }
 
-    void take_value(const Typed::Reading& typed, AdjustedReading& reading) {
-        const bool angle = is_of_angle(typed.kind);
-        const auto& value = angle ? typed.angle : typed.length;
-        const auto& u = angle ? typed.u_angle : typed.u_length;
-        const auto words = [&] { return words_of(made_, reading); };  // which only problems need
-        if (!value || !u)
-            return problems_.error(reading.source,
-                                   !value ? tell<"%1: its value is missing">(words())
-                                          : tell<"%1: its standard uncertainty is missing">(words()));
-        if (angle ? typed.length.has_value() : typed.angle.has_value())
-            problems_.error(reading.source, angle ? tell<"%1 is an angle and has a length">(words())
-                                                  : tell<"%1 is a length and has an angle">(words()));
-        reading.value = *value;
-        reading.u = *u;
-        const bool distance =
-            typed.kind == ReadingKind::slope_distance || typed.kind == ReadingKind::horizontal_distance;
-        if (distance && !(*value > 0.0)) problems_.error(reading.source, tell<"%1 is not positive">(words()));
-        bring_to_face_one(made_, typed, reading, problems_);
-    }
-
     std::size_t round_of(std::size_t station, const std::string& name) {
         const auto [known, added] = rounds_.try_emplace({station, name}, made_.rounds.size());
         if (added) made_.rounds.push_back({station, name});
         return known->second;
-    }
-
-    void take_date() {
-        if (stated_.read_on.empty()) return;
-        made_.read_on = date_of(stated_.read_on);
-        if (!made_.read_on)
-            problems_.error(adjustment_fields().place(&Typed::read_on),
-                            tell<"a date of the form 2026-04-17 is needed; it is '%1'">(stated_.read_on));
     }
 
     void take_distance(std::size_t row) {
