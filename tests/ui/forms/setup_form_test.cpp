@@ -288,7 +288,8 @@ TEST_F(SetupFormTest, ALongTableTakesTheRoomThatItsPageHasToSpare) {
         QTest::qWait(50);
     }
     EXPECT_GT(rows_in_view(), SpreadsheetView::usual_rows) << "as many as there is room for";
-    EXPECT_EQ(area.verticalScrollBar()->maximum(), 0) << "the page does not scroll for them";
+    EXPECT_TRUE(QTest::qWaitFor([&] { return area.verticalScrollBar()->maximum() == 0; }, 2000))
+        << "the page does not scroll for them";
     area.takeWidget();
 }
 
