@@ -16,7 +16,17 @@ class ProjectTreeModel : public QAbstractItemModel {
     Q_OBJECT
 public:
     /// Top-level rows, always there: the project itself, the asset categories in their order, the analyses.
-    enum Category { project_row, artefacts, instruments, robots, points, context, laboratory, analyses, category_count };
+    enum Category {
+        project_row,
+        artefacts,
+        instruments,
+        robots,
+        points,
+        context,
+        laboratory,
+        analyses,
+        category_count
+    };
     enum Column { name_column, state_column, column_count };
 
     ProjectTreeModel(Document& document, AnalysisRunner& runner, QObject* parent = nullptr);
