@@ -48,53 +48,47 @@ std::string in_words(double U, const Unit& usual) {
     return format_significant(unit.interval_from_si(U), 2) + " " + unit.text();
 }
 
-class Findings {
-public:
-    Findings(const MadeProject& made, const UncertaintyResult& result)
-        : capabilities_(capabilities_of(made)), result_(result) {}
-
-    std::vector<CapabilityFinding> find() {
-        if (capabilities_.empty()) return {};
-        for (std::size_t i = 0; i < result_.outputs.size(); ++i)
-            if (result_words::is_measurand(result_.outputs[i])) judge(i);
-        return std::move(found_);
+std::optional<CapabilityFinding> finding_of(const std::vector<NamedCapability>& capabilities,
+                                            const UncertaintyResult& result, std::size_t i) {
+    const OutputResult& output = result.outputs[i];
+    if (capabilities.empty() || !result_words::is_measurand(output)) return std::nullopt;
+    const Message name = result_words::output_label(output.quantity);
+    for (const auto& [of, capability] : capabilities) {
+        if (!capability->is_about(output.quantity)) continue;
+        const auto value = deciding_value(*capability, result, output);
+        const auto smallest = value ? capability->smallest(*value) : std::nullopt;
+        if (!smallest) continue;
+        if (!(output.expanded_uncertainty < *smallest)) return std::nullopt;
+        const Unit& unit = output.quantity.unit;
+        const std::string U = in_words(output.expanded_uncertainty, unit);
+        const std::string least = in_words(*smallest, unit);
+        if (capability->raises())
+            return CapabilityFinding{
+                i, CapabilityVerdict::raised, *smallest,
+                tell<"U of %1, %2, is below the best capability (%4): certificates state %3">(name, U, least,
+                                                                                              of)};
+        return CapabilityFinding{
+            i, CapabilityVerdict::refused, *smallest,
+            tell<"U of %1, %2, is below the best capability of %3 (%4): it may not be stated">(name, U, least,
+                                                                                               of)};
     }
-
-private:
-    void judge(std::size_t i) {
-        const OutputResult& output = result_.outputs[i];
-        const Message name = result_words::output_label(output.quantity);
-        for (const auto& [of, capability] : capabilities_) {
-            if (!capability->is_about(output.quantity)) continue;
-            const auto value = deciding_value(*capability, result_, output);
-            const auto smallest = value ? capability->smallest(*value) : std::nullopt;
-            if (!smallest) continue;
-            if (!(output.expanded_uncertainty < *smallest)) return;
-            const Unit& unit = output.quantity.unit;
-            const std::string U = in_words(output.expanded_uncertainty, unit);
-            const std::string least = in_words(*smallest, unit);
-            found_.push_back(
-                {i, capability->raises() ? CapabilityVerdict::raised : CapabilityVerdict::refused, *smallest,
-                 capability->raises()
-                     ? tell<"U of %1, %2, is below the best capability (%4): certificates state %3">(
-                           name, U, least, of)
-                     : tell<"U of %1, %2, is below the best capability of %3 (%4): it may not be stated">(
-                           name, U, least, of)});
-            return;
-        }
-        found_.push_back({i, CapabilityVerdict::outside, 0.0,
-                          tell<"%1 is outside the scope: the laboratory has no capability for it">(name)});
-    }
-
-    std::vector<NamedCapability> capabilities_;
-    const UncertaintyResult& result_;
-    std::vector<CapabilityFinding> found_;
-};
+    return CapabilityFinding{i, CapabilityVerdict::outside, 0.0,
+                             tell<"%1 is outside the scope: the laboratory has no capability for it">(name)};
+}
 
 }  // namespace
 
+std::optional<CapabilityFinding> capability_finding(const MadeProject& made, const UncertaintyResult& result,
+                                                    std::size_t output) {
+    return finding_of(capabilities_of(made), result, output);
+}
+
 std::vector<CapabilityFinding> capability_findings(const MadeProject& made, const UncertaintyResult& result) {
-    return Findings(made, result).find();
+    const std::vector<NamedCapability> capabilities = capabilities_of(made);
+    std::vector<CapabilityFinding> found;
+    for (std::size_t i = 0; i < result.outputs.size(); ++i)
+        if (auto finding = finding_of(capabilities, result, i)) found.push_back(*std::move(finding));
+    return found;
 }
 
 std::vector<EvaluatedAnalysis> as_stated(const MadeProject& made, std::vector<EvaluatedAnalysis> analyses) {

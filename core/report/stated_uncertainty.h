@@ -1,6 +1,7 @@
 // The uncertainty that a laboratory may state for a result: never below its best capability (ILAC-P14).
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "core/made/evaluated_analysis.h"
@@ -21,7 +22,11 @@ struct CapabilityFinding {
     Message words = {};     ///< finding in words: "U of L, 31 nm, is below the capability of 50 nm (...)"
 };
 
-/// Findings for the measurands of a result, in their order; none where the project has no capabilities.
+/// The finding for one output; none where its U may be stated, it is no measurand, or the project has no
+/// capabilities.
+std::optional<CapabilityFinding> capability_finding(const MadeProject& made, const UncertaintyResult& result,
+                                                    std::size_t output);
+/// Findings for all outputs of a result, in their order.
 std::vector<CapabilityFinding> capability_findings(const MadeProject& made, const UncertaintyResult& result);
 
 /// The analyses as a certificate states them: with every U that is raised, and without the results of which

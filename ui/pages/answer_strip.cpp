@@ -78,6 +78,15 @@ QString result_state_words(const AnalysisStatus& status, bool is_live) {
     return words;
 }
 
+/// "; U of L, 31 nm, is below the best capability ..."; empty where the output's U may be stated. `made` is
+/// null while another project is opened; output -1: none is selected.
+QString capability_words(const MadeProject* made, const UncertaintyResult& result, int output) {
+    const auto at = static_cast<std::size_t>(output);
+    if (!made || at >= result.outputs.size()) return {};
+    const auto finding = capability_finding(*made, result, at);
+    return finding ? QStringLiteral("; ") + to_qt(finding->words) : QString();
+}
+
 }  // namespace
 
 AnswerStrip::AnswerStrip(Document& document, AnalysisRunner& runner, Selection& selection, QWidget* parent)
@@ -215,11 +224,8 @@ QString AnswerStrip::state_words() const {
     }
     if (!status.result)
         return status.prepared ? tr("Not evaluated yet: press F5.") : tr("The analysis has problems.");
-    QString words = result_state_words(status, runner_.is_live());
-    for (const CapabilityFinding& finding : capability_findings(*runner_.made(), *status.result))
-        if (static_cast<int>(finding.output) == selection_.output())
-            words += QStringLiteral("; ") + to_qt(finding.words);
-    return words;
+    return result_state_words(status, runner_.is_live()) +
+           capability_words(runner_.made().get(), *status.result, selection_.output());
 }
 
 void AnswerStrip::show_next_step() {

@@ -33,11 +33,6 @@ protected:
         wait_until_idle();
         settle();
     }
-    void keep_picture(const char* name) {
-        settle();
-        window_->grab().save(
-            QStringLiteral(COVARIA_BINARY_DIR "/screenshots/%1.png").arg(QLatin1String(name)));
-    }
     void require(const std::string& symbol, const Quantity& target) {
         window_->document().apply(QStringLiteral("Require"), [&](Project& project) {
             Requirement wanted;
@@ -80,7 +75,19 @@ TEST_F(AnswerSession, AUBelowTheLaboratorysBestCapabilityIsSaid) {
     EXPECT_TRUE(wait_for([this] {
         return answer().state().text().contains(QStringLiteral("certificates state 80 nm"));
     })) << to_std(answer().state().text());
-    keep_picture("answer-capability");
+    keep_picture(QStringLiteral("answer-capability"));
+}
+
+// Between two projects there is none that was made.
+TEST_F(AnswerSession, AnotherProjectMayBeOpenedWhileAnAnalysisRuns) {
+    open_and_wait(QStringLiteral("chain"));
+    select(SetupOwner::analysis, "bar");
+    wait_until_idle();
+    ASSERT_TRUE(status().result);
+    trigger(QStringLiteral("Run This Analysis"));
+    open(project_copy(QStringLiteral("certificate-gauge-block")));
+    wait_until_idle();
+    EXPECT_TRUE(wait_for([this] { return status().is_current(); }));
 }
 
 TEST_F(AnswerSession, OfAPoseTheLargestUncertaintyOfEachKindIsTheAnswer) {
