@@ -22,6 +22,28 @@ QString title_of_kind(const AssetEntry& asset) {
     return core_text(kind ? kind->title : asset.kind);
 }
 
+QString title_of_category(int category) {
+    switch (static_cast<ProjectTreeModel::Category>(category)) {
+        case ProjectTreeModel::project_row:
+            break;
+        case ProjectTreeModel::artefacts:
+            return ProjectTreeModel::tr("Artefacts");
+        case ProjectTreeModel::instruments:
+            return ProjectTreeModel::tr("Instruments");
+        case ProjectTreeModel::robots:
+            return ProjectTreeModel::tr("Robots");
+        case ProjectTreeModel::points:
+            return ProjectTreeModel::tr("Points and frames");
+        case ProjectTreeModel::context:
+            return ProjectTreeModel::tr("Context");
+        case ProjectTreeModel::laboratory:
+            return ProjectTreeModel::tr("Laboratory");
+        case ProjectTreeModel::analyses:
+            return ProjectTreeModel::tr("Analyses");
+    }
+    return {};
+}
+
 struct Verdicts {
     int failed = 0, all = 0;
 };
@@ -201,11 +223,7 @@ QVariant ProjectTreeModel::data(const QModelIndex& index, int role) const {
 QVariant ProjectTreeModel::category_data(int category, int column, int role) const {
     if (role == category_role) return category;
     if (category == project_row) return project_data(column, role);
-    if (role != Qt::DisplayRole || column != name_column) return {};
-    const std::array<QString, category_count> names{
-        QString(),     tr("Artefacts"),  tr("Instruments"), tr("Robots"), tr("Points and frames"),
-        tr("Context"), tr("Laboratory"), tr("Analyses")};
-    return names[static_cast<std::size_t>(category)];
+    return role == Qt::DisplayRole && column == name_column ? title_of_category(category) : QVariant();
 }
 
 QVariant ProjectTreeModel::project_data(int column, int role) const {

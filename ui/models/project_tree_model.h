@@ -16,17 +16,8 @@ class ProjectTreeModel : public QAbstractItemModel {
     Q_OBJECT
 public:
     /// Top-level rows, always there: the project itself, the asset categories in their order, the analyses.
-    enum Category {
-        project_row,
-        artefacts,
-        instruments,
-        robots,
-        points,
-        context,
-        laboratory,
-        analyses,
-        category_count
-    };
+    enum Category { project_row, artefacts, instruments, robots, points, context, laboratory, analyses };
+    static constexpr int category_count = analyses + 1;
     enum Column { name_column, state_column, column_count };
 
     ProjectTreeModel(Document& document, AnalysisRunner& runner, QObject* parent = nullptr);

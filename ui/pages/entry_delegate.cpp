@@ -1,9 +1,9 @@
 #include "ui/pages/entry_delegate.h"
 
 #include <QPainter>
-#include <array>
 
 #include "core/base/error.h"
+#include "ui/models/category_icon.h"
 #include "ui/models/project_tree_model.h"
 #include "ui/models/roles.h"
 #include "ui/theme/fonts.h"
@@ -17,13 +17,11 @@ constexpr int beside_icons = 8, for_plus = 28;  // px at the left of icons, at t
 // px above and below a line of text together: rows of 36, 28 and 24 px at the usual size.
 constexpr int around_project = 21, around_category = 13, around_entry = 9;
 
-QString category_icon(int category) {
-    static const std::array<QString, ProjectTreeModel::category_count> names{
-        QStringLiteral("project"), QStringLiteral("artefact"), QStringLiteral("instrument"),
-        QStringLiteral("robot"),   QStringLiteral("points"),   QStringLiteral("layers"),
-        QStringLiteral("analysis")};
-    const bool known = category >= 0 && category < ProjectTreeModel::category_count;
-    return known ? names[static_cast<std::size_t>(category)] : QString();
+/// Icon of a top-level row; between the project and the analyses stand the categories of assets.
+QString row_icon(int row) {
+    if (row == ProjectTreeModel::project_row) return QStringLiteral("project");
+    if (row == ProjectTreeModel::analyses) return QStringLiteral("analysis");
+    return category_icon(static_cast<AssetCategory>(row - ProjectTreeModel::artefacts));
 }
 
 QString icon_of(const QModelIndex& index) {
@@ -36,7 +34,7 @@ QString icon_of(const QModelIndex& index) {
     if (index.column() == ProjectTreeModel::name_column) {
         if (const QString own = index.data(icon_role).toString(); !icon(own).isNull()) return own;
         const QVariant category = index.data(category_role);
-        return category.isValid() ? category_icon(category.toInt()) : QString();
+        return category.isValid() ? row_icon(category.toInt()) : QString();
     }
     if (index.data(incomplete_role).toBool()) return QStringLiteral("state-incomplete");
     if (!index.data(problem_role).toString().isEmpty())

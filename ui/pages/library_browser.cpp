@@ -17,6 +17,7 @@
 #include "core/kinds/registries.h"
 #include "core/made/examples.h"
 #include "core/made/library.h"
+#include "ui/models/category_icon.h"
 #include "ui/pages/example_card.h"
 #include "ui/pages/library_menu.h"
 #include "ui/theme/core_text.h"
@@ -33,19 +34,7 @@ constexpr int least_collections_width = 200;
 
 QString icon_of_category(const AssetEntry& asset) {
     const AssetDescriptor* kind = find_asset_kind(asset.kind);
-    switch (kind ? kind->category : AssetCategory::artefact) {
-        case AssetCategory::instrument:
-            return QStringLiteral("instrument");
-        case AssetCategory::robot:
-            return QStringLiteral("robot");
-        case AssetCategory::points:
-            return QStringLiteral("points");
-        case AssetCategory::artefact:
-        case AssetCategory::context:
-        case AssetCategory::laboratory:
-            break;
-    }
-    return QStringLiteral("artefact");
+    return category_icon(kind ? kind->category : AssetCategory::artefact);
 }
 
 /// The picture in a frame; an icon in the middle of it where there is none.

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <QAbstractItemModelTester>
+#include <set>
 
 #include "core/kinds/registries.h"
 #include "core/text/symbol.h"
@@ -10,12 +11,14 @@
 #include "ui/document/correlated_pair.h"
 #include "ui/document/project_edits.h"
 #include "ui/document/quantity_edits.h"
+#include "ui/models/category_icon.h"
 #include "ui/models/input_correlation_model.h"
 #include "ui/models/input_quantities_model.h"
 #include "ui/models/problems_model.h"
 #include "ui/models/project_tree_model.h"
 #include "ui/models/roles.h"
 #include "ui/models/setup_table_model.h"
+#include "ui/theme/icons.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui::project_models_test {
@@ -55,6 +58,24 @@ TEST_F(ProjectModelsTest, TheTreeFollowsAddingMovingAndRemoving) {
     EXPECT_EQ(reset.count(), 0);
     EXPECT_EQ(tree.address(kept), (SetupAddress{SetupOwner::analysis, "c"}));
     EXPECT_TRUE(tree.address(analyses).id.empty());
+}
+
+// A category that is added has its place in the tree, a title and an icon, as the others have.
+TEST_F(ProjectModelsTest, EveryKindOfAssetStandsUnderATitleAndHasAnIcon) {
+    ProjectTreeModel tree(document, runner);
+    std::set<QString> titles;
+    for (int row = ProjectTreeModel::artefacts; row < ProjectTreeModel::category_count; ++row)
+        titles.insert(tree.index(row, 0).data().toString());
+    EXPECT_EQ(titles.size(), std::size_t(ProjectTreeModel::category_count - 1));
+    EXPECT_FALSE(titles.contains(QString()));
+    EXPECT_EQ(tree.index_of(ProjectTreeModel::analyses).data().toString(), "Analyses");
+    for (const AssetDescriptor& kind : asset_registry()) {
+        const std::string id = add_asset(document, kind.kind);
+        const QModelIndex entry = tree.index_of({SetupOwner::asset, id});
+        ASSERT_TRUE(entry.isValid()) << kind.kind;
+        EXPECT_NE(entry.parent().row(), int(ProjectTreeModel::analyses)) << kind.kind;
+        EXPECT_FALSE(icon(category_icon(kind.category)).isNull()) << kind.kind;
+    }
 }
 
 // A view that is left turns typed text into an edit: here while the tree follows another one.
