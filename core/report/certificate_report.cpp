@@ -128,6 +128,11 @@ bool has_digital(const ReportSource& source) {
     return true;
 }
 
+bool is_among(const EvaluatedAnalysis& one, const std::vector<EvaluatedAnalysis>& shown) {
+    return std::ranges::any_of(
+        shown, [&](const EvaluatedAnalysis& other) { return other.analysis->id == one.analysis->id; });
+}
+
 /// Adds the names of the analyses whose results the certificate does not have, and the number of these
 /// results.
 void add_left_out(Blocks& blocks, const ReportSource& source, const std::vector<EvaluatedAnalysis>& shown,
@@ -136,10 +141,7 @@ void add_left_out(Blocks& blocks, const ReportSource& source, const std::vector<
     std::string names;
     for (const EvaluatedAnalysis& one : source.analyses) {
         all += measurand_count(one);
-        const bool is_here = std::any_of(shown.begin(), shown.end(), [&](const EvaluatedAnalysis& other) {
-            return other.analysis->id == one.analysis->id;
-        });
-        if (is_here) {
+        if (is_among(one, shown)) {
             here += measurand_count(one);
             continue;
         }
@@ -172,12 +174,16 @@ void add_results_of(Blocks& blocks, const ReportSource& source, const std::vecto
     add_uncertainty_statement(blocks, shown, in);
 }
 
-/// Says which U is the laboratory's capability in place of the evaluated one, and what is outside its scope.
+/// Says which U is the laboratory's capability in place of the evaluated one, and what is outside its scope,
+/// of the analyses that are shown.
 void add_capability_notes(Blocks& blocks, const MadeProject& made,
-                          const std::vector<EvaluatedAnalysis>& analyses, const DocumentLanguage& in) {
-    for (const EvaluatedAnalysis& one : analyses)
+                          const std::vector<EvaluatedAnalysis>& evaluated,
+                          const std::vector<EvaluatedAnalysis>& shown, const DocumentLanguage& in) {
+    for (const EvaluatedAnalysis& one : evaluated) {
+        if (!is_among(one, shown)) continue;
         for (const CapabilityFinding& finding : capability_findings(made, *one.result))
             blocks.push_back(ParagraphBlock{in.say(finding.words) + "."});
+    }
 }
 
 void add_closing(Blocks& blocks, const ReportSource& source, const std::vector<EvaluatedAnalysis>& shown,
@@ -237,7 +243,7 @@ ReportDocument build_certificate(const MadeProject& made, const std::vector<Eval
     if (!released && !review.facts.empty()) document.blocks.push_back(review);
     add_administration(document.blocks, certificate, !conformity.empty(), in);
     add_results_of(document.blocks, source, shown, in);
-    add_capability_notes(document.blocks, made, analyses, in);
+    add_capability_notes(document.blocks, made, analyses, shown, in);
     document.blocks.insert(document.blocks.end(), conformity.begin(), conformity.end());
     add_changes(document.blocks, source, shown, in);
     if (released) document.blocks.push_back(review);
