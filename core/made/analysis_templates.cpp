@@ -357,34 +357,42 @@ const std::vector<AnalysisTemplate>& analysis_templates() {
     return templates;
 }
 
-const AnalysisTemplate* template_of(const std::string& model) {
-    static const std::map<std::string, const AnalysisTemplate*> by_model = [] {
-        std::map<std::string, const AnalysisTemplate*> found;
-        for (const AnalysisTemplate& known : analysis_templates())
-            if (const auto part = template_project(known); part && !known.with_designs)
-                found.emplace(part->analyses.back().model, &known);
-        return found;
-    }();
-    const auto found = by_model.find(model);
-    return found == by_model.end() ? nullptr : found->second;
-}
+namespace {
 
-const std::vector<const AnalysisTemplate*>& templates_with(const AssetEntry& asset) {
-    using Templates = std::vector<const AnalysisTemplate*>;
-    static const std::map<std::string, Templates> by_sort = [] {
-        std::map<std::string, Templates> found;
+/// A template with what its example says of it.
+struct ReadTemplate {
+    const AnalysisTemplate* known;
+    std::string model;
+    std::set<std::string> sorts;  ///< of the assets that it uses
+};
+
+/// Those that are not about studies and designs; their examples are read when they are first asked for.
+const std::vector<ReadTemplate>& read_templates() {
+    static const std::vector<ReadTemplate> all = [] {
+        std::vector<ReadTemplate> read;
         for (const AnalysisTemplate& known : analysis_templates()) {
             const auto part = template_project(known);
             if (!part || known.with_designs) continue;
-            std::set<std::string> sorts;
-            for (const AssetEntry& used : part->assets) sorts.insert(sort_of(used));
-            for (const std::string& sort : sorts) found[sort].push_back(&known);
+            ReadTemplate& one = read.emplace_back(ReadTemplate{&known, part->analyses.back().model, {}});
+            for (const AssetEntry& used : part->assets) one.sorts.insert(sort_of(used));
         }
-        return found;
+        return read;
     }();
-    static const Templates none;
-    const auto found = by_sort.find(sort_of(asset));
-    return found == by_sort.end() ? none : found->second;
+    return all;
+}
+
+}  // namespace
+
+const AnalysisTemplate* template_of(const std::string& model) {
+    const auto found = std::ranges::find(read_templates(), model, &ReadTemplate::model);
+    return found == read_templates().end() ? nullptr : found->known;
+}
+
+std::vector<const AnalysisTemplate*> templates_with(const AssetEntry& asset) {
+    std::vector<const AnalysisTemplate*> with;
+    for (const ReadTemplate& one : read_templates())
+        if (one.sorts.contains(sort_of(asset))) with.push_back(one.known);
+    return with;
 }
 
 Result<Project> template_project(const AnalysisTemplate& wanted, const DocumentLanguage& in) {

@@ -27,7 +27,7 @@ const std::vector<AnalysisTemplate>& analysis_templates();
 /// The first template of the model; null: none is shipped.
 const AnalysisTemplate* template_of(const std::string& model);
 /// Templates with an asset of the same sort among what they use, in whose place this one can stand.
-const std::vector<const AnalysisTemplate*>& templates_with(const AssetEntry& asset);
+std::vector<const AnalysisTemplate*> templates_with(const AssetEntry& asset);
 
 /// The analysis under the template's title, in the language of its reader, with the assets and analyses that
 /// it uses, last of its analyses; tables of files are in it. Error: the example cannot be read, or has no

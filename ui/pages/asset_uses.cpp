@@ -3,6 +3,7 @@
 #include <QLabel>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <utility>
 
 #include "ui/document/project_edits.h"
 #include "ui/pages/project_pane.h"
@@ -22,11 +23,15 @@ AssetUses::AssetUses(Document& document, Selection& selection, std::string asset
     column_->setContentsMargins(0, 0, 0, 0);
     column_->setSpacing(2);
     connect(&document_, &Document::project_changed, this, &AssetUses::refresh);
+    refresh();
+}
+
+void AssetUses::read() {
     const AssetEntry* entry = document_.project().find_asset(asset_);
     if (!entry) return;
     job_.start(
         [this, entry = *entry](const std::stop_token&) -> JobQueue::Delivery {
-            return [this, &known = templates_with(entry)] { list(known); };
+            return [this, known = templates_with(entry)] { list(known); };
         },
         [](const Error&) {});
 }
@@ -63,7 +68,9 @@ void AssetUses::add(const AnalysisTemplate& wanted) {
 }
 
 void AssetUses::refresh() {
-    emit offered(has_any_ && dependants(document_.project(), {SetupOwner::asset, asset_}).isEmpty());
+    const bool is_unused = dependants(document_.project(), {SetupOwner::asset, asset_}).isEmpty();
+    if (is_unused && !std::exchange(is_read_, true)) read();
+    emit offered(has_any_ && is_unused);
 }
 
 }  // namespace covaria::ui

@@ -22,6 +22,7 @@ signals:
     void offered(bool any);
 
 private:
+    void read();
     void list(const std::vector<const AnalysisTemplate*>& known);
     void add(const AnalysisTemplate& wanted);
     void refresh();
@@ -29,9 +30,9 @@ private:
     Document& document_;
     Selection& selection_;
     std::string asset_;
-    bool has_any_ = false;
+    bool is_read_ = false, has_any_ = false;
     QVBoxLayout* column_;
-    LatestJob job_;  ///< reads the examples, once
+    LatestJob job_;  ///< reads the examples for the first asset that nothing uses
 };
 
 }  // namespace covaria::ui
