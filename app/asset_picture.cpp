@@ -20,8 +20,8 @@ Result<void> write_asset_picture(const AssetEntry& asset, const std::filesystem:
     SceneRenderer renderer;
     renderer.set_size(400, 250);
     renderer.set_scene(*std::move(scene));
-    if (entry->asset->layout()
-            .links.empty()) {  // an instrument's drawing has no size of its own: no axes and no scale
+    // An instrument's drawing has no size of its own: no axes and no scale.
+    if (entry->asset->layout().links.empty()) {
         LayerVisibility layers = renderer.layers();
         for (const Layer layer : {Layer::axes, Layer::legend, Layer::labels}) layers[layer] = false;
         renderer.set_layers(layers);

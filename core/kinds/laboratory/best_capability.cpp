@@ -12,7 +12,7 @@ namespace covaria {
 
 namespace {
 
-/// A range, in the unit of the quantity that decides; `u` in the unit of the results.
+/// A range, in the unit of the quantity that decides; the fixed part of U is in the unit of the results.
 struct StatedRange {
     double from = 0.0, to = 0.0;
     double absolute = 0.0, relative = 0.0;

@@ -41,11 +41,11 @@ inline Eigen::VectorXd deviations(const RedundantReadings& readings, const std::
     return e;
 }
 
-/// What of a figure is held against its truth.
+/// The properties of a figure that are held against its truth.
 enum class Hold {
     all,
-    /// What users rely upon, and not the mean: variances are positive, so that a figure whose estimate would
-    /// be negative stands at zero instead, and takes what it has too much of from the others.
+    /// Those that users rely upon, without the mean: variances are positive, so that a figure whose estimate
+    /// would be negative stands at zero instead, and takes its excess from the others.
     coverage_and_alarms,
 };
 

@@ -53,11 +53,6 @@ protected:
         return static_cast<std::size_t>(std::ranges::count_if(
             verdicts, [](const RequirementResult& verdict) { return !is_met(verdict); }));
     }
-    void keep_picture(const char* name) {
-        settle();
-        window_->grab().save(
-            QStringLiteral(COVARIA_BINARY_DIR "/screenshots/%1.png").arg(QLatin1String(name)));
-    }
 
     int actions_ = 0;
 };
@@ -101,7 +96,7 @@ TEST_F(CountedActions, ARobotFromTheLibraryToItsMap) {
         const auto scene = window_->scene().view().scene();
         return scene && scene->map && !window_->scene().is_building();
     }));
-    keep_picture("counted-robot");
+    keep_picture(QStringLiteral("counted-robot"));
     RecordProperty("actions", actions_);
     EXPECT_LE(actions_, 12);
 }
@@ -157,7 +152,7 @@ TEST_F(CountedActions, APoseWithARequirementAndADesignTakenOver) {
     click_on_button(tab, "take_over_design");
     EXPECT_TRUE(wait_for(
         [&] { return status().result && status().is_current() && expanded_uncertainty(0) != before; }));
-    keep_picture("counted-pose");
+    keep_picture(QStringLiteral("counted-pose"));
     RecordProperty("actions", actions_);
     EXPECT_LE(actions_, 24);
 }

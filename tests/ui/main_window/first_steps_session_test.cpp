@@ -78,10 +78,6 @@ protected:
         QTest::keyClicks(line, text);
         QTest::keyClick(line, Qt::Key_Tab);
     }
-    void keep_picture(const QString& name) {
-        settle();
-        window_->grab().save(QStringLiteral(COVARIA_BINARY_DIR "/screenshots/%1.png").arg(name));
-    }
 };
 
 TEST_F(FirstStepsSession, StartPageAndMenuBeginThem) {

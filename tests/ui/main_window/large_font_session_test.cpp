@@ -53,10 +53,6 @@ protected:
                              .arg(child->minimumSizeHint().width());
         return words;
     }
-    void keep_picture(const QString& name) {
-        settle();
-        window_->grab().save(QStringLiteral(COVARIA_BINARY_DIR "/screenshots/%1.png").arg(name));
-    }
     void expect_all_fit(const QString& folder) {
         const QDir projects(QStringLiteral(COVARIA_SOURCE_DIR "/") + folder);
         const QFileInfoList files = projects.entryInfoList({QStringLiteral("*.covaria")}, QDir::Files);

@@ -42,10 +42,6 @@ protected:
                           Qt::NoButton, Qt::ControlModifier, Qt::NoScrollPhase, false);
         QApplication::sendEvent(view().viewport(), &event);
     }
-    void keep_picture(const QString& name) {
-        settle();
-        window_->grab().save(QStringLiteral(COVARIA_BINARY_DIR "/screenshots/%1.png").arg(name));
-    }
     QString state() const { return preview_->findChild<QLabel*>(QStringLiteral("report_state"))->text(); }
     ReportPreview* preview_ = nullptr;
 };

@@ -120,6 +120,11 @@ QStringList Session::problems() {
     return words;
 }
 
+void Session::keep_picture(const QString& name) {
+    settle();
+    window_->grab().save(QStringLiteral(COVARIA_BINARY_DIR "/screenshots/%1.png").arg(name));
+}
+
 QImage Session::scene_picture() {
     EXPECT_TRUE(wait_for([this] { return !window_->scene().is_building(); }));
     window_->scene().view().service().wait_until_idle();

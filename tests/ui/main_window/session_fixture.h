@@ -64,6 +64,8 @@ protected:
     }
     /// The words of all problems listed (kind, place, problem), once the list is that of the present project.
     QStringList problems();
+    /// Keeps a picture of the settled window for people to look at: screenshots/NAME.png.
+    void keep_picture(const QString& name);
     /// Waits for the scene of the present results, then its picture.
     QImage scene_picture();
     QStringList names_in_tree() const;
