@@ -12,7 +12,6 @@
 #include "app/report_files.h"
 #include "app/terminal.h"
 #include "core/base/file_io.h"
-#include "core/base/sha256.h"
 #include "core/impact/impact_document.h"
 #include "core/result_files/csv_writer.h"
 #include "core/text/numbers.h"
@@ -47,17 +46,13 @@ Result<void> check_arguments(const ImpactArguments& arguments) {
     return arguments.output.empty() ? Result<void>{} : write_into_one_file(arguments.output, named);
 }
 
-/// The name that old figures are called by; a file stands for its digest, so that a certificate is found by
-/// itself.
-std::string called(const std::string& old) {
-    std::error_code failure;
-    if (!std::filesystem::is_regular_file(old, failure)) return old;
-    const auto bytes = read_file(old);
-    return bytes ? sha256_of(*bytes) : old;
-}
-
 std::string unit_behind(const Unit& unit) {
     return unit.text() == "1" ? "" : " " + unit.text();
+}
+
+ImpactWords words_of(const ImpactArguments& arguments) {
+    if (arguments.replaced.empty()) return {arguments.used, {}, arguments.folders};
+    return {arguments.replaced[0], arguments.replaced[1], arguments.folders};
 }
 
 const char* word_of(std::optional<bool> met) {
@@ -99,8 +94,7 @@ Result<void> write_impact_document(const ImpactArguments& arguments, const Impac
                                    const std::stop_token& stop) {
     ReportFiles files;
     if (auto named = write_into_one_file(arguments.output, files); !named) return named;
-    const ImpactWords words{arguments.replaced[0], arguments.replaced[1], arguments.folders};
-    return write_document(build_impact(words, impact), files, stop);
+    return write_document(build_impact(words_of(arguments), impact), files, stop);
 }
 
 Result<void> write_files(const ImpactArguments& arguments, const Impact& impact,
@@ -119,19 +113,11 @@ Result<void> write_files(const ImpactArguments& arguments, const Impact& impact,
 /// Shows the impact; returns whether everything could be evaluated.
 Result<bool> show_impact(const ImpactArguments& arguments, const std::stop_token& stop) {
     if (auto right = check_arguments(arguments); !right) return fail(right.error());
-    ImpactQuestion question;
-    question.old_figures = called(arguments.replaced.empty() ? arguments.used : arguments.replaced[0]);
-    if (!arguments.replaced.empty()) {
-        auto figures = new_figures(arguments.replaced[1]);
-        if (!figures) return fail(figures.error());
-        question.figures = *std::move(figures);
-    }
-    auto files = files_below(arguments.folders);
-    if (!files) return fail(files.error());
-    question.files = *std::move(files);
-    question.asked = [&](const MadeProject::Pointer& made) { return requested(made, arguments.method); };
+    auto question = question_of(words_of(arguments));
+    if (!question) return fail(question.error());
+    question->asked = [&](const MadeProject::Pointer& made) { return requested(made, arguments.method); };
     const auto impact =
-        impact_of(question, {stop, progress_line("impact"), arguments.method.threads, nullptr});
+        impact_of(*question, {stop, progress_line("impact"), arguments.method.threads, nullptr});
     end_progress_line();
     if (!impact) return fail(impact.error());
     print_impact(*impact, arguments.replaced.empty());

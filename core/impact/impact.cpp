@@ -8,6 +8,7 @@
 #include "core/base/file_io.h"
 #include "core/base/guarded.h"
 #include "core/base/in_quotes.h"
+#include "core/base/sha256.h"
 #include "core/carried/carried_project.h"
 #include "core/carried/report_data.h"
 #include "core/made/load_project.h"
@@ -167,6 +168,14 @@ private:
     FileImpact impact_;
 };
 
+/// The name that old figures are called by: the digest of a file.
+std::string called(const std::string& old) {
+    std::error_code failure;
+    if (!fs::is_regular_file(old, failure)) return old;
+    const auto bytes = read_file(old);
+    return bytes ? sha256_of(*bytes) : old;
+}
+
 /// The larger change of a row, as a part of U; infinite where it is not a number (the result is no longer
 /// there), so that such a row comes before all others.
 double size_of(const ImpactRow& row) {
@@ -231,6 +240,20 @@ Result<std::vector<fs::path>> files_below(const std::vector<std::string>& folder
                         tell<"the folder %1 cannot be read: %2">(in_quotes(folder), failure.message()));
     }
     return std::vector<fs::path>(files.begin(), files.end());
+}
+
+Result<ImpactQuestion> question_of(const ImpactWords& words) {
+    ImpactQuestion question;
+    question.old_figures = called(words.old_figures);
+    if (!words.new_figures.empty()) {
+        auto figures = new_figures(words.new_figures);
+        if (!figures) return fail(figures.error());
+        question.figures = *std::move(figures);
+    }
+    auto files = files_below(words.folders);
+    if (!files) return fail(files.error());
+    question.files = *std::move(files);
+    return question;
 }
 
 Result<Impact> impact_of(const ImpactQuestion& question, const RunControl& control) {

@@ -69,6 +69,16 @@ struct ImpactQuestion {
     /// own options hold.
     std::function<MadeProject::Pointer(const MadeProject::Pointer&)> asked = {};
 };
+/// A question as people ask it.
+struct ImpactWords {
+    std::string old_figures;           ///< number, digest, file of the certificate, or asset
+    std::string new_figures;           ///< as `new_figures` takes it; empty: only who used the old ones
+    std::vector<std::string> folders;  ///< folders and files that are searched
+};
+/// The question that the words ask; a file stands for its digest, so that a certificate is found by itself.
+/// Reads the new figures and the folders. Errors: as `new_figures` and `files_below`.
+Result<ImpactQuestion> question_of(const ImpactWords& words);
+
 /// The impact on files, several at a time on `control.threads` threads; the answer is the same for any
 /// number. PDF files that carry no project are passed over. Error: cancelled.
 Result<Impact> impact_of(const ImpactQuestion& question, const RunControl& control = {});

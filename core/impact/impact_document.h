@@ -1,7 +1,6 @@
 // The impact of a certificate as people and files have it.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "core/document/report_document.h"
@@ -10,13 +9,6 @@
 #include "core/text/table.h"
 
 namespace covaria {
-
-/// The question in words: the figures that are replaced, the figures that replace them, the places that were
-/// searched.
-struct ImpactWords {
-    std::string old_figures, new_figures;
-    std::vector<std::string> folders;
-};
 
 /// The table of an impact, with a row for each measurand that the certificate reaches. It reads the impact,
 /// which must outlive it.

@@ -22193,6 +22193,10 @@ An diesen Stellen steht „nicht angegeben“. Es sind Felder der Seite des Proj
         <source>A date, or two of an interval; empty: that of the project&apos;s certificate.</source>
         <translation>Ein Datum oder zwei eines Zeitraums; leer: das des Kalibrierscheins des Projekts.</translation>
     </message>
+    <message>
+        <source>Shows what hangs on this certificate</source>
+        <translation>Zeigt, was an diesem Kalibrierschein hängt</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::FileActions</name>
@@ -22421,6 +22425,248 @@ An diesen Stellen steht „nicht angegeben“. Es sind Felder der Seite des Proj
     <message>
         <source>Help</source>
         <translation>Hilfe</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::ImpactActions</name>
+    <message>
+        <source>&amp;What Hangs on a Certificate …</source>
+        <translation>&amp;Was an einem Kalibrierschein hängt …</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::ImpactDialog</name>
+    <message>
+        <source>impact</source>
+        <translation>auswirkung</translation>
+    </message>
+    <message>
+        <source>&amp;Evaluate</source>
+        <translation>&amp;Auswerten</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>An&amp;halten</translation>
+    </message>
+    <message>
+        <source>Sa&amp;ve</source>
+        <translation>Sp&amp;eichern</translation>
+    </message>
+    <message>
+        <source>What Hangs on a Certificate</source>
+        <translation>Was an einem Kalibrierschein hängt</translation>
+    </message>
+    <message>
+        <source>Not evaluated</source>
+        <translation>Nicht ausgewertet</translation>
+    </message>
+    <message>
+        <source>New Figures</source>
+        <translation>Neue Angaben</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Folder With Projects and Reports</source>
+        <translation>Ordner mit Projekten und Berichten</translation>
+    </message>
+    <message>
+        <source>Files evaluated</source>
+        <translation>Ausgewertete Dateien</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>&amp;Document (PDF) …</source>
+        <translation>&amp;Dokument (PDF) …</translation>
+    </message>
+    <message>
+        <source>Save the Impact</source>
+        <translation>Auswirkung speichern</translation>
+    </message>
+    <message>
+        <source>PDF document (*.pdf)</source>
+        <translation>PDF-Dokument (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Document (&amp;HTML) …</source>
+        <translation>Dokument (&amp;HTML) …</translation>
+    </message>
+    <message>
+        <source>HTML page (*.html)</source>
+        <translation>HTML-Seite (*.html)</translation>
+    </message>
+    <message>
+        <source>&amp;Table (CSV) …</source>
+        <translation>&amp;Tabelle (CSV) …</translation>
+    </message>
+    <message>
+        <source>Save the Table</source>
+        <translation>Tabelle speichern</translation>
+    </message>
+    <message>
+        <source>CSV table (*.csv)</source>
+        <translation>CSV-Tabelle (*.csv)</translation>
+    </message>
+    <message>
+        <source>&amp;List of Files to Amend …</source>
+        <translation>&amp;Liste der zu ändernden Dateien …</translation>
+    </message>
+    <message>
+        <source>Save the List</source>
+        <translation>Liste speichern</translation>
+    </message>
+    <message>
+        <source>Text (*.txt)</source>
+        <translation>Text (*.txt)</translation>
+    </message>
+    <message>
+        <source>&amp;Find Who Used It</source>
+        <translation>&amp;Verwender suchen</translation>
+    </message>
+    <message>
+        <source>Which results change when the figures of a certificate do?</source>
+        <translation>Welche Ergebnisse ändern sich, wenn sich die Angaben eines Kalibrierscheins ändern?</translation>
+    </message>
+    <message>
+        <source>It could not be saved</source>
+        <translation>Es konnte nicht gespeichert werden</translation>
+    </message>
+    <message>
+        <source>Wrote %1</source>
+        <translation>%1 geschrieben</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::ImpactForm</name>
+    <message>
+        <source>To &amp;first order: quick</source>
+        <translation>In &amp;erster Ordnung: schnell</translation>
+    </message>
+    <message>
+        <source>&amp;Browse …</source>
+        <translation>D&amp;urchsuchen …</translation>
+    </message>
+    <message>
+        <source>&amp;Add Folder …</source>
+        <translation>&amp;Ordner hinzufügen …</translation>
+    </message>
+    <message>
+        <source>Number of the certificate, its file or the SHA-256 of it; else the name of an asset</source>
+        <translation>Nummer des Kalibrierscheins, seine Datei oder deren SHA-256; sonst der Name eines Betriebsmittels</translation>
+    </message>
+    <message>
+        <source>Number, file, or name of an asset</source>
+        <translation>Nummer, Datei oder Name eines Betriebsmittels</translation>
+    </message>
+    <message>
+        <source>Empty: only who used the certificate</source>
+        <translation>Leer: nur, wer den Kalibrierschein verwendet hat</translation>
+    </message>
+    <message>
+        <source>A project, a report (PDF) or a file of others with the new figures; FILE#ID is one asset or analysis of it</source>
+        <translation>Ein Projekt, ein Bericht (PDF) oder eine fremde Datei mit den neuen Angaben; FILE#ID ist ein Betriebsmittel oder eine Auswertung daraus</translation>
+    </message>
+    <message>
+        <source>A folder or file on each line</source>
+        <translation>Je Zeile ein Ordner oder eine Datei</translation>
+    </message>
+    <message>
+        <source>Projects and reports (PDF) below these folders are looked at</source>
+        <translation>Projekte und Berichte (PDF) unter diesen Ordnern werden durchgesehen</translation>
+    </message>
+    <message>
+        <source>Else each analysis is evaluated as its project says, with all its trials, twice</source>
+        <translation>Sonst wird jede Auswertung so ausgewertet, wie ihr Projekt es sagt, mit allen Versuchen, zweimal</translation>
+    </message>
+    <message>
+        <source>&amp;Certificate</source>
+        <translation>&amp;Kalibrierschein</translation>
+    </message>
+    <message>
+        <source>&amp;New figures</source>
+        <translation>&amp;Neue Angaben</translation>
+    </message>
+    <message>
+        <source>&amp;Look in</source>
+        <translation>Suchen &amp;in</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::ImpactTableModel</name>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Nummer</translation>
+    </message>
+    <message>
+        <source>Analysis</source>
+        <translation>Analyse</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>Gruppe</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>y before</source>
+        <translation>y vorher</translation>
+    </message>
+    <message>
+        <source>y after</source>
+        <translation>y nachher</translation>
+    </message>
+    <message>
+        <source>U before</source>
+        <translation>U vorher</translation>
+    </message>
+    <message>
+        <source>U after</source>
+        <translation>U nachher</translation>
+    </message>
+    <message>
+        <source>Change / u</source>
+        <translation>Änderung / u</translation>
+    </message>
+    <message>
+        <source>Change / U</source>
+        <translation>Änderung / U</translation>
+    </message>
+    <message>
+        <source>Change of U in %</source>
+        <translation>Änderung von U in %</translation>
+    </message>
+    <message>
+        <source>Verdict before</source>
+        <translation>Urteil vorher</translation>
+    </message>
+    <message>
+        <source>Verdict after</source>
+        <translation>Urteil nachher</translation>
+    </message>
+    <message>
+        <source>To amend</source>
+        <translation>Zu ändern</translation>
+    </message>
+    <message>
+        <source>%1
+Double click: opens it</source>
+        <translation>%1
+Doppelklick: öffnet sie</translation>
     </message>
 </context>
 <context>
@@ -22908,6 +23154,10 @@ Gewählt: %2</translation>
         <source>Log</source>
         <translation>Protokoll</translation>
     </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::MainWindow</name>
@@ -22982,10 +23232,6 @@ Gewählt: %2</translation>
     <message>
         <source>&amp;Help</source>
         <translation>&amp;Hilfe</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
     </message>
     <message>
         <source>Problems (%1)</source>

@@ -22193,6 +22193,10 @@ En esos lugares figura “not stated”. Son campos de la página del proyecto.<
         <source>A date, or two of an interval; empty: that of the project&apos;s certificate.</source>
         <translation>Una fecha, o dos de un intervalo; vacío: la del certificado del proyecto.</translation>
     </message>
+    <message>
+        <source>Shows what hangs on this certificate</source>
+        <translation>Muestra qué depende de este certificado</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::FileActions</name>
@@ -22421,6 +22425,248 @@ En esos lugares figura “not stated”. Son campos de la página del proyecto.<
     <message>
         <source>Help</source>
         <translation>Ayuda</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::ImpactActions</name>
+    <message>
+        <source>&amp;What Hangs on a Certificate …</source>
+        <translation>&amp;Qué depende de un certificado …</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::ImpactDialog</name>
+    <message>
+        <source>impact</source>
+        <translation>impacto</translation>
+    </message>
+    <message>
+        <source>&amp;Evaluate</source>
+        <translation>&amp;Evaluar</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>&amp;Detener</translation>
+    </message>
+    <message>
+        <source>Sa&amp;ve</source>
+        <translation>&amp;Guardar</translation>
+    </message>
+    <message>
+        <source>What Hangs on a Certificate</source>
+        <translation>Qué depende de un certificado</translation>
+    </message>
+    <message>
+        <source>Not evaluated</source>
+        <translation>No evaluado</translation>
+    </message>
+    <message>
+        <source>New Figures</source>
+        <translation>Cifras nuevas</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>Folder With Projects and Reports</source>
+        <translation>Carpeta con proyectos e informes</translation>
+    </message>
+    <message>
+        <source>Files evaluated</source>
+        <translation>Archivos evaluados</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>&amp;Document (PDF) …</source>
+        <translation>&amp;Documento (PDF) …</translation>
+    </message>
+    <message>
+        <source>Save the Impact</source>
+        <translation>Guardar el impacto</translation>
+    </message>
+    <message>
+        <source>PDF document (*.pdf)</source>
+        <translation>Documento PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Document (&amp;HTML) …</source>
+        <translation>Documento (&amp;HTML) …</translation>
+    </message>
+    <message>
+        <source>HTML page (*.html)</source>
+        <translation>Página HTML (*.html)</translation>
+    </message>
+    <message>
+        <source>&amp;Table (CSV) …</source>
+        <translation>&amp;Tabla (CSV) …</translation>
+    </message>
+    <message>
+        <source>Save the Table</source>
+        <translation>Guardar la tabla</translation>
+    </message>
+    <message>
+        <source>CSV table (*.csv)</source>
+        <translation>Tabla CSV (*.csv)</translation>
+    </message>
+    <message>
+        <source>&amp;List of Files to Amend …</source>
+        <translation>&amp;Lista de archivos que enmendar …</translation>
+    </message>
+    <message>
+        <source>Save the List</source>
+        <translation>Guardar la lista</translation>
+    </message>
+    <message>
+        <source>Text (*.txt)</source>
+        <translation>Texto (*.txt)</translation>
+    </message>
+    <message>
+        <source>&amp;Find Who Used It</source>
+        <translation>B&amp;uscar quién lo usó</translation>
+    </message>
+    <message>
+        <source>Which results change when the figures of a certificate do?</source>
+        <translation>¿Qué resultados cambian cuando cambian las cifras de un certificado?</translation>
+    </message>
+    <message>
+        <source>It could not be saved</source>
+        <translation>No se pudo guardar</translation>
+    </message>
+    <message>
+        <source>Wrote %1</source>
+        <translation>Se escribió %1</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::ImpactForm</name>
+    <message>
+        <source>To &amp;first order: quick</source>
+        <translation>A &amp;primer orden: rápido</translation>
+    </message>
+    <message>
+        <source>&amp;Browse …</source>
+        <translation>E&amp;xaminar …</translation>
+    </message>
+    <message>
+        <source>&amp;Add Folder …</source>
+        <translation>&amp;Añadir carpeta …</translation>
+    </message>
+    <message>
+        <source>Number of the certificate, its file or the SHA-256 of it; else the name of an asset</source>
+        <translation>Número del certificado, su archivo o el SHA-256 de este; si no, el nombre de un recurso</translation>
+    </message>
+    <message>
+        <source>Number, file, or name of an asset</source>
+        <translation>Número, archivo o nombre de un recurso</translation>
+    </message>
+    <message>
+        <source>Empty: only who used the certificate</source>
+        <translation>Vacío: solo quién usó el certificado</translation>
+    </message>
+    <message>
+        <source>A project, a report (PDF) or a file of others with the new figures; FILE#ID is one asset or analysis of it</source>
+        <translation>Un proyecto, un informe (PDF) o un archivo ajeno con las cifras nuevas; FILE#ID es un recurso o un análisis de él</translation>
+    </message>
+    <message>
+        <source>A folder or file on each line</source>
+        <translation>Una carpeta o un archivo en cada línea</translation>
+    </message>
+    <message>
+        <source>Projects and reports (PDF) below these folders are looked at</source>
+        <translation>Se examinan los proyectos e informes (PDF) bajo estas carpetas</translation>
+    </message>
+    <message>
+        <source>Else each analysis is evaluated as its project says, with all its trials, twice</source>
+        <translation>Si no, cada análisis se evalúa como dice su proyecto, con todos sus ensayos, dos veces</translation>
+    </message>
+    <message>
+        <source>&amp;Certificate</source>
+        <translation>&amp;Certificado</translation>
+    </message>
+    <message>
+        <source>&amp;New figures</source>
+        <translation>Cifras &amp;nuevas</translation>
+    </message>
+    <message>
+        <source>&amp;Look in</source>
+        <translation>&amp;Buscar en</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::ImpactTableModel</name>
+    <message>
+        <source>File</source>
+        <translation>Archivo</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Número</translation>
+    </message>
+    <message>
+        <source>Analysis</source>
+        <translation>Análisis</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>Grupo</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Resultado</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Unidad</translation>
+    </message>
+    <message>
+        <source>y before</source>
+        <translation>y antes</translation>
+    </message>
+    <message>
+        <source>y after</source>
+        <translation>y después</translation>
+    </message>
+    <message>
+        <source>U before</source>
+        <translation>U antes</translation>
+    </message>
+    <message>
+        <source>U after</source>
+        <translation>U después</translation>
+    </message>
+    <message>
+        <source>Change / u</source>
+        <translation>Cambio / u</translation>
+    </message>
+    <message>
+        <source>Change / U</source>
+        <translation>Cambio / U</translation>
+    </message>
+    <message>
+        <source>Change of U in %</source>
+        <translation>Cambio de U en %</translation>
+    </message>
+    <message>
+        <source>Verdict before</source>
+        <translation>Veredicto antes</translation>
+    </message>
+    <message>
+        <source>Verdict after</source>
+        <translation>Veredicto después</translation>
+    </message>
+    <message>
+        <source>To amend</source>
+        <translation>A enmendar</translation>
+    </message>
+    <message>
+        <source>%1
+Double click: opens it</source>
+        <translation>%1
+Doble clic: lo abre</translation>
     </message>
 </context>
 <context>
@@ -22908,6 +23154,10 @@ Elegido: %2</translation>
         <source>Log</source>
         <translation>Registro</translation>
     </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::MainWindow</name>
@@ -22982,10 +23232,6 @@ Elegido: %2</translation>
     <message>
         <source>&amp;Help</source>
         <translation>A&amp;yuda</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
     </message>
     <message>
         <source>Problems (%1)</source>

@@ -22190,6 +22190,10 @@ It says “not stated” in these places. They are fields of the project&apos;s 
         <source>A date, or two of an interval; empty: that of the project&apos;s certificate.</source>
         <translation>날짜 하나, 또는 기간의 두 날짜. 비어 있으면 프로젝트 성적서의 것.</translation>
     </message>
+    <message>
+        <source>Shows what hangs on this certificate</source>
+        <translation>이 성적서에 달려 있는 것을 보여 줍니다</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::FileActions</name>
@@ -22417,6 +22421,248 @@ It says “not stated” in these places. They are fields of the project&apos;s 
     <message>
         <source>Help</source>
         <translation>도움말</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::ImpactActions</name>
+    <message>
+        <source>&amp;What Hangs on a Certificate …</source>
+        <translation>성적서에 달려 있는 것(&amp;W) …</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::ImpactDialog</name>
+    <message>
+        <source>impact</source>
+        <translation>impact</translation>
+    </message>
+    <message>
+        <source>&amp;Evaluate</source>
+        <translation>평가(&amp;E)</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>중지(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Sa&amp;ve</source>
+        <translation>저장(&amp;V)</translation>
+    </message>
+    <message>
+        <source>What Hangs on a Certificate</source>
+        <translation>성적서에 달려 있는 것</translation>
+    </message>
+    <message>
+        <source>Not evaluated</source>
+        <translation>평가하지 않음</translation>
+    </message>
+    <message>
+        <source>New Figures</source>
+        <translation>새 수치</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>모든 파일 (*)</translation>
+    </message>
+    <message>
+        <source>Folder With Projects and Reports</source>
+        <translation>프로젝트와 보고서가 있는 폴더</translation>
+    </message>
+    <message>
+        <source>Files evaluated</source>
+        <translation>평가한 파일</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>닫기</translation>
+    </message>
+    <message>
+        <source>&amp;Document (PDF) …</source>
+        <translation>문서 (PDF)(&amp;D) …</translation>
+    </message>
+    <message>
+        <source>Save the Impact</source>
+        <translation>영향 저장</translation>
+    </message>
+    <message>
+        <source>PDF document (*.pdf)</source>
+        <translation>PDF 문서 (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Document (&amp;HTML) …</source>
+        <translation>문서 (HTML)(&amp;H) …</translation>
+    </message>
+    <message>
+        <source>HTML page (*.html)</source>
+        <translation>HTML 페이지 (*.html)</translation>
+    </message>
+    <message>
+        <source>&amp;Table (CSV) …</source>
+        <translation>표 (CSV)(&amp;T) …</translation>
+    </message>
+    <message>
+        <source>Save the Table</source>
+        <translation>표 저장</translation>
+    </message>
+    <message>
+        <source>CSV table (*.csv)</source>
+        <translation>CSV 표 (*.csv)</translation>
+    </message>
+    <message>
+        <source>&amp;List of Files to Amend …</source>
+        <translation>수정할 파일 목록(&amp;L) …</translation>
+    </message>
+    <message>
+        <source>Save the List</source>
+        <translation>목록 저장</translation>
+    </message>
+    <message>
+        <source>Text (*.txt)</source>
+        <translation>텍스트 (*.txt)</translation>
+    </message>
+    <message>
+        <source>&amp;Find Who Used It</source>
+        <translation>사용한 것 찾기(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Which results change when the figures of a certificate do?</source>
+        <translation>성적서의 수치가 바뀌면 어떤 결과가 바뀝니까?</translation>
+    </message>
+    <message>
+        <source>It could not be saved</source>
+        <translation>저장할 수 없었습니다</translation>
+    </message>
+    <message>
+        <source>Wrote %1</source>
+        <translation>%1 저장함</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::ImpactForm</name>
+    <message>
+        <source>To &amp;first order: quick</source>
+        <translation>1차로(&amp;F): 빠름</translation>
+    </message>
+    <message>
+        <source>&amp;Browse …</source>
+        <translation>찾아보기(&amp;B) …</translation>
+    </message>
+    <message>
+        <source>&amp;Add Folder …</source>
+        <translation>폴더 추가(&amp;A) …</translation>
+    </message>
+    <message>
+        <source>Number of the certificate, its file or the SHA-256 of it; else the name of an asset</source>
+        <translation>성적서 번호, 그 파일 또는 파일의 SHA-256. 아니면 에셋의 이름</translation>
+    </message>
+    <message>
+        <source>Number, file, or name of an asset</source>
+        <translation>번호, 파일 또는 에셋 이름</translation>
+    </message>
+    <message>
+        <source>Empty: only who used the certificate</source>
+        <translation>비우면 성적서를 사용한 것만</translation>
+    </message>
+    <message>
+        <source>A project, a report (PDF) or a file of others with the new figures; FILE#ID is one asset or analysis of it</source>
+        <translation>새 수치가 있는 프로젝트, 보고서(PDF) 또는 다른 프로그램의 파일. FILE#ID는 그 안의 에셋이나 분석 하나입니다</translation>
+    </message>
+    <message>
+        <source>A folder or file on each line</source>
+        <translation>한 줄에 폴더나 파일 하나</translation>
+    </message>
+    <message>
+        <source>Projects and reports (PDF) below these folders are looked at</source>
+        <translation>이 폴더 아래의 프로젝트와 보고서(PDF)를 살펴봅니다</translation>
+    </message>
+    <message>
+        <source>Else each analysis is evaluated as its project says, with all its trials, twice</source>
+        <translation>아니면 각 분석을 그 프로젝트가 정한 대로 모든 시행으로 두 번 평가합니다</translation>
+    </message>
+    <message>
+        <source>&amp;Certificate</source>
+        <translation>성적서(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;New figures</source>
+        <translation>새 수치(&amp;N)</translation>
+    </message>
+    <message>
+        <source>&amp;Look in</source>
+        <translation>찾을 곳(&amp;L)</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::ImpactTableModel</name>
+    <message>
+        <source>File</source>
+        <translation>파일</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>번호</translation>
+    </message>
+    <message>
+        <source>Analysis</source>
+        <translation>분석</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>그룹</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>결과</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>단위</translation>
+    </message>
+    <message>
+        <source>y before</source>
+        <translation>y, 이전</translation>
+    </message>
+    <message>
+        <source>y after</source>
+        <translation>y, 이후</translation>
+    </message>
+    <message>
+        <source>U before</source>
+        <translation>U 전</translation>
+    </message>
+    <message>
+        <source>U after</source>
+        <translation>U 후</translation>
+    </message>
+    <message>
+        <source>Change / u</source>
+        <translation>변화 / u</translation>
+    </message>
+    <message>
+        <source>Change / U</source>
+        <translation>변화 / U</translation>
+    </message>
+    <message>
+        <source>Change of U in %</source>
+        <translation>U의 변화 %</translation>
+    </message>
+    <message>
+        <source>Verdict before</source>
+        <translation>이전 판정</translation>
+    </message>
+    <message>
+        <source>Verdict after</source>
+        <translation>이후 판정</translation>
+    </message>
+    <message>
+        <source>To amend</source>
+        <translation>수정할 것</translation>
+    </message>
+    <message>
+        <source>%1
+Double click: opens it</source>
+        <translation>%1
+두 번 클릭하면 엽니다</translation>
     </message>
 </context>
 <context>
@@ -22904,6 +23150,10 @@ Chosen: %2</source>
         <source>Log</source>
         <translation>로그</translation>
     </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::MainWindow</name>
@@ -22978,10 +23228,6 @@ Chosen: %2</source>
     <message>
         <source>&amp;Help</source>
         <translation>도움말(&amp;H)</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
     </message>
     <message>
         <source>Problems (%1)</source>

@@ -22193,6 +22193,10 @@ Nesses lugares ele diz “não declarado”. São campos da página do projeto.<
         <source>A date, or two of an interval; empty: that of the project&apos;s certificate.</source>
         <translation>Uma data, ou as duas de um intervalo; vazio: a do certificado do projeto.</translation>
     </message>
+    <message>
+        <source>Shows what hangs on this certificate</source>
+        <translation>Mostra o que depende deste certificado</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::FileActions</name>
@@ -22421,6 +22425,248 @@ Nesses lugares ele diz “não declarado”. São campos da página do projeto.<
     <message>
         <source>Help</source>
         <translation>Ajuda</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::ImpactActions</name>
+    <message>
+        <source>&amp;What Hangs on a Certificate …</source>
+        <translation>O que &amp;depende de um certificado …</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::ImpactDialog</name>
+    <message>
+        <source>impact</source>
+        <translation>impacto</translation>
+    </message>
+    <message>
+        <source>&amp;Evaluate</source>
+        <translation>&amp;Avaliar</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>&amp;Parar</translation>
+    </message>
+    <message>
+        <source>Sa&amp;ve</source>
+        <translation>&amp;Salvar</translation>
+    </message>
+    <message>
+        <source>What Hangs on a Certificate</source>
+        <translation>O que depende de um certificado</translation>
+    </message>
+    <message>
+        <source>Not evaluated</source>
+        <translation>Não avaliado</translation>
+    </message>
+    <message>
+        <source>New Figures</source>
+        <translation>Números novos</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Todos os arquivos (*)</translation>
+    </message>
+    <message>
+        <source>Folder With Projects and Reports</source>
+        <translation>Pasta com projetos e relatórios</translation>
+    </message>
+    <message>
+        <source>Files evaluated</source>
+        <translation>Arquivos avaliados</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fechar</translation>
+    </message>
+    <message>
+        <source>&amp;Document (PDF) …</source>
+        <translation>&amp;Documento (PDF) …</translation>
+    </message>
+    <message>
+        <source>Save the Impact</source>
+        <translation>Salvar o impacto</translation>
+    </message>
+    <message>
+        <source>PDF document (*.pdf)</source>
+        <translation>Documento PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Document (&amp;HTML) …</source>
+        <translation>Documento (&amp;HTML) …</translation>
+    </message>
+    <message>
+        <source>HTML page (*.html)</source>
+        <translation>Página HTML (*.html)</translation>
+    </message>
+    <message>
+        <source>&amp;Table (CSV) …</source>
+        <translation>&amp;Tabela (CSV) …</translation>
+    </message>
+    <message>
+        <source>Save the Table</source>
+        <translation>Salvar a tabela</translation>
+    </message>
+    <message>
+        <source>CSV table (*.csv)</source>
+        <translation>Tabela CSV (*.csv)</translation>
+    </message>
+    <message>
+        <source>&amp;List of Files to Amend …</source>
+        <translation>&amp;Lista de arquivos a emendar …</translation>
+    </message>
+    <message>
+        <source>Save the List</source>
+        <translation>Salvar a lista</translation>
+    </message>
+    <message>
+        <source>Text (*.txt)</source>
+        <translation>Texto (*.txt)</translation>
+    </message>
+    <message>
+        <source>&amp;Find Who Used It</source>
+        <translation>&amp;Ver quem o usou</translation>
+    </message>
+    <message>
+        <source>Which results change when the figures of a certificate do?</source>
+        <translation>Quais resultados mudam quando mudam os números de um certificado?</translation>
+    </message>
+    <message>
+        <source>It could not be saved</source>
+        <translation>Não foi possível salvar</translation>
+    </message>
+    <message>
+        <source>Wrote %1</source>
+        <translation>%1 escrito</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::ImpactForm</name>
+    <message>
+        <source>To &amp;first order: quick</source>
+        <translation>Em &amp;primeira ordem: rápido</translation>
+    </message>
+    <message>
+        <source>&amp;Browse …</source>
+        <translation>Pro&amp;curar …</translation>
+    </message>
+    <message>
+        <source>&amp;Add Folder …</source>
+        <translation>Adicionar pas&amp;ta …</translation>
+    </message>
+    <message>
+        <source>Number of the certificate, its file or the SHA-256 of it; else the name of an asset</source>
+        <translation>Número do certificado, seu arquivo ou o SHA-256 dele; senão, o nome de um recurso</translation>
+    </message>
+    <message>
+        <source>Number, file, or name of an asset</source>
+        <translation>Número, arquivo ou nome de um recurso</translation>
+    </message>
+    <message>
+        <source>Empty: only who used the certificate</source>
+        <translation>Vazio: apenas quem usou o certificado</translation>
+    </message>
+    <message>
+        <source>A project, a report (PDF) or a file of others with the new figures; FILE#ID is one asset or analysis of it</source>
+        <translation>Um projeto, um relatório (PDF) ou um arquivo de outros com os números novos; FILE#ID é um recurso ou uma análise dele</translation>
+    </message>
+    <message>
+        <source>A folder or file on each line</source>
+        <translation>Uma pasta ou um arquivo em cada linha</translation>
+    </message>
+    <message>
+        <source>Projects and reports (PDF) below these folders are looked at</source>
+        <translation>São examinados os projetos e relatórios (PDF) abaixo destas pastas</translation>
+    </message>
+    <message>
+        <source>Else each analysis is evaluated as its project says, with all its trials, twice</source>
+        <translation>Senão, cada análise é avaliada como diz o seu projeto, com todos os ensaios, duas vezes</translation>
+    </message>
+    <message>
+        <source>&amp;Certificate</source>
+        <translation>&amp;Certificado</translation>
+    </message>
+    <message>
+        <source>&amp;New figures</source>
+        <translation>&amp;Números novos</translation>
+    </message>
+    <message>
+        <source>&amp;Look in</source>
+        <translation>Procurar &amp;em</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::ImpactTableModel</name>
+    <message>
+        <source>File</source>
+        <translation>Arquivo</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Número</translation>
+    </message>
+    <message>
+        <source>Analysis</source>
+        <translation>Análise</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>Grupo</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Resultado</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Unidade</translation>
+    </message>
+    <message>
+        <source>y before</source>
+        <translation>y antes</translation>
+    </message>
+    <message>
+        <source>y after</source>
+        <translation>y depois</translation>
+    </message>
+    <message>
+        <source>U before</source>
+        <translation>U antes</translation>
+    </message>
+    <message>
+        <source>U after</source>
+        <translation>U depois</translation>
+    </message>
+    <message>
+        <source>Change / u</source>
+        <translation>Variação / u</translation>
+    </message>
+    <message>
+        <source>Change / U</source>
+        <translation>Variação / U</translation>
+    </message>
+    <message>
+        <source>Change of U in %</source>
+        <translation>Variação de U em %</translation>
+    </message>
+    <message>
+        <source>Verdict before</source>
+        <translation>Veredito antes</translation>
+    </message>
+    <message>
+        <source>Verdict after</source>
+        <translation>Veredito depois</translation>
+    </message>
+    <message>
+        <source>To amend</source>
+        <translation>A emendar</translation>
+    </message>
+    <message>
+        <source>%1
+Double click: opens it</source>
+        <translation>%1
+Clique duplo: abre-o</translation>
     </message>
 </context>
 <context>
@@ -22908,6 +23154,10 @@ Escolhido: %2</translation>
         <source>Log</source>
         <translation>Registro</translation>
     </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::MainWindow</name>
@@ -22982,10 +23232,6 @@ Escolhido: %2</translation>
     <message>
         <source>&amp;Help</source>
         <translation>A&amp;juda</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
     </message>
     <message>
         <source>Problems (%1)</source>

@@ -22190,6 +22190,10 @@ It says “not stated” in these places. They are fields of the project&apos;s 
         <source>A date, or two of an interval; empty: that of the project&apos;s certificate.</source>
         <translation>一个日期，或表示期间的两个日期；留空：项目证书的日期。</translation>
     </message>
+    <message>
+        <source>Shows what hangs on this certificate</source>
+        <translation>显示取决于此证书的内容</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::FileActions</name>
@@ -22417,6 +22421,248 @@ It says “not stated” in these places. They are fields of the project&apos;s 
     <message>
         <source>Help</source>
         <translation>帮助</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::ImpactActions</name>
+    <message>
+        <source>&amp;What Hangs on a Certificate …</source>
+        <translation>取决于证书的内容(&amp;W) …</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::ImpactDialog</name>
+    <message>
+        <source>impact</source>
+        <translation>impact</translation>
+    </message>
+    <message>
+        <source>&amp;Evaluate</source>
+        <translation>评定(&amp;E)</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>停止(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Sa&amp;ve</source>
+        <translation>保存(&amp;V)</translation>
+    </message>
+    <message>
+        <source>What Hangs on a Certificate</source>
+        <translation>取决于证书的内容</translation>
+    </message>
+    <message>
+        <source>Not evaluated</source>
+        <translation>未评定</translation>
+    </message>
+    <message>
+        <source>New Figures</source>
+        <translation>新数值</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>Folder With Projects and Reports</source>
+        <translation>含有项目和报告的文件夹</translation>
+    </message>
+    <message>
+        <source>Files evaluated</source>
+        <translation>已评定的文件</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>&amp;Document (PDF) …</source>
+        <translation>文件 (PDF)(&amp;D) …</translation>
+    </message>
+    <message>
+        <source>Save the Impact</source>
+        <translation>保存影响</translation>
+    </message>
+    <message>
+        <source>PDF document (*.pdf)</source>
+        <translation>PDF 文档 (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Document (&amp;HTML) …</source>
+        <translation>文件 (HTML)(&amp;H) …</translation>
+    </message>
+    <message>
+        <source>HTML page (*.html)</source>
+        <translation>HTML 页面 (*.html)</translation>
+    </message>
+    <message>
+        <source>&amp;Table (CSV) …</source>
+        <translation>表格 (CSV)(&amp;T) …</translation>
+    </message>
+    <message>
+        <source>Save the Table</source>
+        <translation>保存表格</translation>
+    </message>
+    <message>
+        <source>CSV table (*.csv)</source>
+        <translation>CSV 表格 (*.csv)</translation>
+    </message>
+    <message>
+        <source>&amp;List of Files to Amend …</source>
+        <translation>需修订文件的列表(&amp;L) …</translation>
+    </message>
+    <message>
+        <source>Save the List</source>
+        <translation>保存列表</translation>
+    </message>
+    <message>
+        <source>Text (*.txt)</source>
+        <translation>文本 (*.txt)</translation>
+    </message>
+    <message>
+        <source>&amp;Find Who Used It</source>
+        <translation>查找使用者(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Which results change when the figures of a certificate do?</source>
+        <translation>证书的数值变化时，哪些结果会变化？</translation>
+    </message>
+    <message>
+        <source>It could not be saved</source>
+        <translation>无法保存</translation>
+    </message>
+    <message>
+        <source>Wrote %1</source>
+        <translation>已写入 %1</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::ImpactForm</name>
+    <message>
+        <source>To &amp;first order: quick</source>
+        <translation>一阶(&amp;F)：快速</translation>
+    </message>
+    <message>
+        <source>&amp;Browse …</source>
+        <translation>浏览(&amp;B) …</translation>
+    </message>
+    <message>
+        <source>&amp;Add Folder …</source>
+        <translation>添加文件夹(&amp;A) …</translation>
+    </message>
+    <message>
+        <source>Number of the certificate, its file or the SHA-256 of it; else the name of an asset</source>
+        <translation>证书编号、其文件或该文件的 SHA-256；否则为资源名称</translation>
+    </message>
+    <message>
+        <source>Number, file, or name of an asset</source>
+        <translation>编号、文件或资源名称</translation>
+    </message>
+    <message>
+        <source>Empty: only who used the certificate</source>
+        <translation>留空：仅查找用过该证书者</translation>
+    </message>
+    <message>
+        <source>A project, a report (PDF) or a file of others with the new figures; FILE#ID is one asset or analysis of it</source>
+        <translation>含有新数值的项目、报告 (PDF) 或其他程序的文件；FILE#ID 是其中的一个资源或分析</translation>
+    </message>
+    <message>
+        <source>A folder or file on each line</source>
+        <translation>每行一个文件夹或文件</translation>
+    </message>
+    <message>
+        <source>Projects and reports (PDF) below these folders are looked at</source>
+        <translation>将查看这些文件夹下的项目和报告 (PDF)</translation>
+    </message>
+    <message>
+        <source>Else each analysis is evaluated as its project says, with all its trials, twice</source>
+        <translation>否则每个分析按其项目的规定、以全部试验评定两次</translation>
+    </message>
+    <message>
+        <source>&amp;Certificate</source>
+        <translation>证书(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;New figures</source>
+        <translation>新数值(&amp;N)</translation>
+    </message>
+    <message>
+        <source>&amp;Look in</source>
+        <translation>查找位置(&amp;L)</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::ImpactTableModel</name>
+    <message>
+        <source>File</source>
+        <translation>文件</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>编号</translation>
+    </message>
+    <message>
+        <source>Analysis</source>
+        <translation>分析</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>组</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>结果</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>单位</translation>
+    </message>
+    <message>
+        <source>y before</source>
+        <translation>y，之前</translation>
+    </message>
+    <message>
+        <source>y after</source>
+        <translation>y，之后</translation>
+    </message>
+    <message>
+        <source>U before</source>
+        <translation>U（前）</translation>
+    </message>
+    <message>
+        <source>U after</source>
+        <translation>U（后）</translation>
+    </message>
+    <message>
+        <source>Change / u</source>
+        <translation>变化 / u</translation>
+    </message>
+    <message>
+        <source>Change / U</source>
+        <translation>变化 / U</translation>
+    </message>
+    <message>
+        <source>Change of U in %</source>
+        <translation>U 的变化（%）</translation>
+    </message>
+    <message>
+        <source>Verdict before</source>
+        <translation>结论（前）</translation>
+    </message>
+    <message>
+        <source>Verdict after</source>
+        <translation>结论（后）</translation>
+    </message>
+    <message>
+        <source>To amend</source>
+        <translation>需修订</translation>
+    </message>
+    <message>
+        <source>%1
+Double click: opens it</source>
+        <translation>%1
+双击：打开</translation>
     </message>
 </context>
 <context>
@@ -22904,6 +23150,10 @@ Chosen: %2</source>
         <source>Log</source>
         <translation>日志</translation>
     </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::MainWindow</name>
@@ -22978,10 +23228,6 @@ Chosen: %2</source>
     <message>
         <source>&amp;Help</source>
         <translation>帮助(&amp;H)</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1：%2</translation>
     </message>
     <message>
         <source>Problems (%1)</source>

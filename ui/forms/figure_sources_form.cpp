@@ -72,6 +72,11 @@ QString list_words(const AssetCertificate& c, std::size_t number) {
                : to_qt(name_of(c));
 }
 
+int place_of(FiguresFrom kind) {
+    const auto found = std::ranges::find(figures_from_words(), kind, &FiguresFromWord::value);
+    return static_cast<int>(found - figures_from_words().begin());
+}
+
 FieldEditor* make_editor(const AssetCertificateText& text, Document& document, const SetupAddress& entry,
                          QWidget* page) {
     const FieldSpec spec = spec_of(text);
@@ -166,14 +171,19 @@ QWidget* FigureSourcesForm::make_head() {
     auto* add = small_button("add", tr("Adds a certificate that figures come from"), "add_source");
     remove_ = small_button("remove", tr("Removes this certificate"), "remove_source");
     file_ = small_button("open", tr("Takes name and digest of the certificate's file"), "source_file");
+    impact_ = small_button("impact", tr("Shows what hangs on this certificate"), "source_impact");
     auto* row = new QHBoxLayout(head);
     row->setContentsMargins(0, 0, 0, 0);
     row->addWidget(list_, 1);
-    for (QToolButton* button : {add, remove_, file_}) row->addWidget(button);
+    for (QToolButton* button : {add, remove_, file_, impact_}) row->addWidget(button);
     row->addStretch(0);  // where there is no list
     connect(add, &QToolButton::clicked, this, &FigureSourcesForm::add_certificate);
     connect(remove_, &QToolButton::clicked, this, &FigureSourcesForm::remove_certificate);
     connect(file_, &QToolButton::clicked, this, &FigureSourcesForm::read_file);
+    connect(impact_, &QToolButton::clicked, this, [this] {
+        if (const AssetCertificate* now = shown())
+            emit impact_wanted(to_qt(now->number.empty() ? now->digest : now->number));
+    });
     return head;
 }
 
@@ -274,19 +284,14 @@ void FigureSourcesForm::refresh() {
     const QSignalBlocker quiet(list_);
     const int before = list_->currentIndex();
     list_->clear();
-    for (std::size_t i = 0; all && i < all->size(); ++i) {
-        list_->addItem(list_words((*all)[i], i + 1));
-    }
+    for (std::size_t i = 0; all && i < all->size(); ++i) list_->addItem(list_words((*all)[i], i + 1));
     list_->setCurrentIndex(std::clamp(before, list_->count() > 0 ? 0 : -1, list_->count() - 1));
     const AssetCertificate* now = shown();
-    list_->setVisible(now != nullptr);
-    fields_->setVisible(now != nullptr);
-    remove_->setEnabled(now != nullptr);
-    file_->setEnabled(now != nullptr);
+    for (QWidget* part : std::initializer_list<QWidget*>{list_, fields_}) part->setVisible(now != nullptr);
+    for (QToolButton* button : {remove_, file_, impact_}) button->setEnabled(now != nullptr);
     if (measured_) measured_->refresh();
     if (now) {
-        for (std::size_t i = 0; i < figures_from_words().size(); ++i)
-            if (figures_from_words()[i].value == now->kind) kinds_->setCurrentIndex(static_cast<int>(i));
+        kinds_->setCurrentIndex(place_of(now->kind));
         for (const Row& row : rows_) {
             const std::string& text = now->*row.text->member;
             row.editor->set_value(text.empty() ? SetupValue() : SetupValue(text));

@@ -27,6 +27,9 @@ public:
     /// Gives the focus to the field that a JSON pointer into the project names; false when it names none.
     bool focus_field(const std::string& path);
 
+signals:
+    void impact_wanted(const QString& certificate);
+
 private:
     struct Row {
         const AssetCertificateText* text;
@@ -54,7 +57,7 @@ private:
     MeasuredDate* measured_ = nullptr;  ///< null for an asset
     QComboBox* list_;
     QComboBox* kinds_;
-    QToolButton *remove_, *file_;
+    QToolButton *remove_, *file_, *impact_;
     QWidget* fields_;
     QLabel* verdict_;
     std::vector<Row> rows_;

@@ -97,6 +97,9 @@ Dialogs standard_dialogs(QWidget* parent) {
     dialogs.file_to_save = [parent](const QString& title, const QString& suggested, const QString& filter) {
         return QFileDialog::getSaveFileName(parent, title, suggested, filter);
     };
+    dialogs.folder_to_search = [parent](const QString& title) {
+        return QFileDialog::getExistingDirectory(parent, title, last_folder());
+    };
     dialogs.save_changes = [parent](const QString& name) { return ask_save(parent, name); };
     dialogs.changed_on_disk = [parent](const QString& name, bool modified) {
         return ask_reload(parent, name, modified);

@@ -24,6 +24,8 @@ struct Dialogs {
     /// Parameters: title, suggested path, filter ("PDF document (*.pdf)"); empty = cancelled.
     std::function<QString(const QString& title, const QString& suggested, const QString& filter)>
         file_to_save;
+    /// Empty = cancelled.
+    std::function<QString(const QString& title)> folder_to_search;
     std::function<SaveAnswer(const QString& name)> save_changes;
     std::function<DiskAnswer(const QString& name, bool modified)> changed_on_disk;
     /// Asks what to do with which of the kept projects, each named by its title and time.

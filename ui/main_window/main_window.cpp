@@ -23,6 +23,7 @@
 #include "ui/main_window/file_drops.h"
 #include "ui/main_window/first_steps_guide.h"
 #include "ui/main_window/help_actions.h"
+#include "ui/main_window/impact_actions.h"
 #include "ui/main_window/import_actions.h"
 #include "ui/main_window/inquiry_scene.h"
 #include "ui/main_window/middle_pages.h"
@@ -129,6 +130,7 @@ void MainWindow::make_panes() {
     statusBar()->addPermanentWidget(new RunStatus(document_, runner_, selection_));
     exports_ = new ExportActions(document_, runner_, files_.dialogs, this);
     imports_ = new ImportActions(document_, files_.dialogs, this);
+    impact_ = new ImpactActions(*this, document_, selection_, files_);
     new FileDrops(*this, files_, *imports_);
 }
 
@@ -227,7 +229,7 @@ void MainWindow::make_file_menu() {
     menu->addSeparator();
     menu->addActions({files_.save_action, files_.save_as_action});
     menu->addSeparator();
-    menu->addActions({imports_->import_action, imports_->urdf_action});
+    menu->addActions({imports_->import_action, imports_->urdf_action, impact_->action});
     QMenu* exported = exports_->make_menu(menu);
     menu->addMenu(exported);
     menu->addSeparator();
@@ -332,6 +334,7 @@ void MainWindow::connect_panes() {
     connect(problems_, &ProblemsPane::refused, this, say);
     connect(results_, &ResultsPane::place_wanted, this, &MainWindow::go_to);
     connect(properties_, &PropertiesPane::place_wanted, this, &MainWindow::go_to);
+    connect(properties_, &PropertiesPane::impact_wanted, impact_, &ImpactActions::ask_about);
     connect(&selection_, &Selection::analysis_changed, this, [this](const QString& id) {
         runner_.set_focus(id);
         scene_->show_analysis(id);
@@ -357,14 +360,7 @@ void MainWindow::connect_panes() {
         results_->set_dark(dark);
     });
     connect(&preferences_, &PreferenceStore::changed, this, &MainWindow::take_preferences);
-    // Each failure is told once, however often an edit runs the analysis again.
-    connect(&runner_, &AnalysisRunner::state_changed, this,
-            [this, said = QMap<QString, QString>()](const QString& id) mutable {
-                const AnalysisStatus& status = runner_.status(id);
-                if (status.is_current()) said.remove(id);
-                if (status.state == RunState::failed && said.value(id) != status.message)
-                    log_->write(tr("%1: %2").arg(id, said[id] = status.message));
-            });
+    log_->follow(runner_);
     set_rendering_log([this](const std::string& message) { log_->write(to_qt(message)); });
     for (QAction* action : project_actions_) action->setEnabled(false);
 }

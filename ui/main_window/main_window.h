@@ -20,6 +20,7 @@ class BudgetPage;
 class ExportActions;
 class FirstStepsGuide;
 class HelpActions;
+class ImpactActions;
 class ImportActions;
 class LibraryBrowser;
 class LogPane;
@@ -59,6 +60,7 @@ public:
     PreferenceStore& preferences() { return preferences_; }
     void show_preferences();
     ImportActions& imports() { return *imports_; }
+    ImpactActions& impact() { return *impact_; }
     /// The library, made when it is first asked for.
     LibraryBrowser& library();
     /// The first steps, made when they are first asked for.
@@ -115,6 +117,7 @@ private:
     LogPane* log_ = nullptr;
     ExportActions* exports_ = nullptr;
     ImportActions* imports_ = nullptr;
+    ImpactActions* impact_ = nullptr;
     LibraryBrowser* library_ = nullptr;
     RunActions* run_ = nullptr;
     HelpActions* help_ = nullptr;

@@ -64,4 +64,13 @@ void LogPane::write(const QString& message) {
         this, [this, line] { appendPlainText(line); }, Qt::AutoConnection);
 }
 
+void LogPane::follow(AnalysisRunner& runner) {
+    connect(&runner, &AnalysisRunner::state_changed, this, [this, &runner](const QString& id) {
+        const AnalysisStatus& status = runner.status(id);
+        if (status.is_current()) said_.remove(id);
+        if (status.state == RunState::failed && said_.value(id) != status.message)
+            write(tr("%1: %2").arg(id, said_[id] = status.message));
+    });
+}
+
 }  // namespace covaria::ui

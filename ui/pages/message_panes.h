@@ -1,10 +1,12 @@
 // The bottom of the window: problems of the project, and the log.
 #pragma once
 
+#include <QMap>
 #include <QPlainTextEdit>
 #include <QTreeView>
 
 #include "ui/models/problems_model.h"
+#include "ui/run/analysis_runner.h"
 
 namespace covaria::ui {
 
@@ -35,6 +37,11 @@ class LogPane : public QPlainTextEdit {
 public:
     explicit LogPane(QWidget* parent = nullptr);
     void write(const QString& message);
+    /// Writes the failures of runs, each once, however often an edit runs the analysis again.
+    void follow(AnalysisRunner& runner);
+
+private:
+    QMap<QString, QString> said_;  ///< last failure of each analysis
 };
 
 }  // namespace covaria::ui

@@ -150,6 +150,7 @@ void PropertiesPane::add_entry_pages(const SetupAddress& entry) {
     else
         add_analysis_pages(entry);
     forms_.sources = new FigureSourcesForm(document_, entry);
+    connect(forms_.sources, &FigureSourcesForm::impact_wanted, this, &PropertiesPane::impact_wanted);
     set_help_place(*forms_.sources, QStringLiteral("results-certificates-of-the-figures"));
     groups_->add(forms_.sources, tr("Certificates"));
     groups_->add(new NotesPage(document_, entry), tr("Notes"));

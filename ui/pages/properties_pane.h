@@ -58,6 +58,8 @@ public:
 signals:
     /// A place elsewhere in the project is wanted: a JSON pointer into it.
     void place_wanted(const QString& path);
+    /// What hangs on the certificate of this number is asked.
+    void impact_wanted(const QString& certificate);
 
 private:
     /// The forms of what is selected; null where it has none of the kind.

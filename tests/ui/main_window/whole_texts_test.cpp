@@ -6,6 +6,8 @@
 
 #include "tests/ui/main_window/cut_texts.h"
 #include "tests/ui/main_window/session_fixture.h"
+#include "ui/main_window/impact_actions.h"
+#include "ui/main_window/impact_dialog.h"
 #include "ui/main_window/preferences_dialog.h"
 #include "ui/pages/library_browser.h"
 #include "ui/theme/languages.h"
@@ -97,6 +99,12 @@ TEST_P(WholeTexts, StandInTheWindowAndItsDialogs) {
     browser.show();
     settle();
     expect_whole(browser);
+    ImpactDialog& impact = window_->impact().dialog();
+    impact.show();
+    settle();
+    expect_whole(impact);
+    impact.grab().save(
+        QStringLiteral(COVARIA_BINARY_DIR "/screenshots/impact-%1.png").arg(QLatin1String(GetParam())));
     open(project_copy());
     wait_until_idle();
     for (const AnalysisEntry& analysis : window_->document().project().analyses) {

@@ -1,0 +1,261 @@
+#include "ui/main_window/impact_dialog.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QListWidget>
+#include <QMenu>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "core/base/file_io.h"
+#include "core/impact/impact_document.h"
+#include "core/result_files/csv_writer.h"
+#include "ui/forms/impact_form.h"
+#include "ui/pages/sortable_table.h"
+#include "ui/theme/document_language.h"
+#include "ui/theme/fonts.h"
+#include "ui/theme/strings.h"
+
+namespace covaria::ui {
+namespace {
+
+constexpr int most_lines_of_failures = 8;
+
+/// The project with all analyses to first order.
+MadeProject::Pointer to_first_order(const MadeProject::Pointer& made) {
+    Project project = made->project();
+    for (AnalysisEntry& analysis : project.analyses) analysis.options.method = Method::first_order;
+    return MadeProject::make(std::move(project), made);
+}
+
+Result<Impact> find_impact(const ImpactWords& words, bool first_order, const RunControl& control) {
+    auto question = question_of(words);
+    if (!question) return fail(question.error());
+    if (first_order) question->asked = to_first_order;
+    return impact_of(*question, control);
+}
+
+std::string list_to_amend(const Impact& impact) {
+    std::string list;
+    for (const std::string& file : impact.to_amend()) list += file + "\n";
+    return list;
+}
+
+}  // namespace
+
+ImpactDialog::ImpactDialog(const Dialogs& dialogs, QWidget* parent)
+    : QDialog(parent),
+      dialogs_(dialogs),
+      form_(new ImpactForm),
+      table_(new SortableTable(model_, tr("impact"))),
+      answer_(new QLabel),
+      sentences_(new QLabel),
+      failures_(new QListWidget),
+      progress_(new QProgressBar),
+      evaluate_(new QPushButton(tr("&Evaluate"))),
+      stop_(new QPushButton(tr("&Stop"))),
+      save_(new QPushButton(tr("Sa&ve"))),
+      job_(Execution::threads) {
+    setObjectName(QStringLiteral("impact"));
+    setWindowTitle(tr("What Hangs on a Certificate"));
+    table_->set_columns(QStringLiteral("impact"), {QStringLiteral("Group"), QStringLiteral("Change / u")});
+    answer_->setObjectName(QStringLiteral("impact_answer"));
+    answer_->setFont(sized(answer_->font(), TextSize::title));
+    for (QLabel* label : {answer_, sentences_}) {
+        label->setWordWrap(true);
+        label->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    }
+    failures_->setObjectName(QStringLiteral("impact_failures"));
+    failures_->setAccessibleName(tr("Not evaluated"));
+    failures_->setWordWrap(true);
+    failures_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    auto* column = new QVBoxLayout(this);
+    column->addWidget(form_);
+    column->addLayout(make_run_row());
+    column->addWidget(answer_);
+    column->addWidget(sentences_);
+    column->addWidget(table_, 1);
+    column->addWidget(failures_);
+    column->addLayout(make_foot());
+    resize(1180, 680);
+    connect(form_, &ImpactForm::changed, this, &ImpactDialog::refresh);
+    connect(&form_->figures_button(), &QPushButton::clicked, this, [this] {
+        const QString file = dialogs_.file_to_import(tr("New Figures"), last_folder(), tr("All files (*)"));
+        if (!file.isEmpty()) form_->set_new_figures(file);
+    });
+    connect(&form_->place_button(), &QPushButton::clicked, this, [this] {
+        const QString folder = dialogs_.folder_to_search(tr("Folder With Projects and Reports"));
+        if (!folder.isEmpty()) form_->add_place(folder);
+    });
+    connect(table_, &SortableTable::row_activated, this,
+            [this](int row) { emit file_wanted(to_qt(model_.file_of(row))); });
+    connect(table_, &SortableTable::failed, this,
+            [this](const QString& problem) { answer_->setText(problem); });
+    end_run();
+    show_impact({}, false);
+}
+
+QLayout* ImpactDialog::make_run_row() {
+    evaluate_->setObjectName(QStringLiteral("impact_evaluate"));
+    evaluate_->setDefault(true);
+    progress_->setAccessibleName(tr("Files evaluated"));
+    progress_->setTextVisible(false);
+    auto* row = new QHBoxLayout;
+    row->addWidget(evaluate_);
+    row->addWidget(stop_);
+    row->addWidget(progress_, 1);
+    row->addStretch();
+    connect(evaluate_, &QPushButton::clicked, this, &ImpactDialog::evaluate);
+    connect(stop_, &QPushButton::clicked, this, &ImpactDialog::stop);
+    return row;
+}
+
+QLayout* ImpactDialog::make_foot() {
+    auto* menu = new QMenu(save_);
+    fill_save_menu(*menu);
+    save_->setMenu(menu);
+    auto* close = new QPushButton(tr("Close"));
+    close->setAutoDefault(false);
+    auto* row = new QHBoxLayout;
+    row->addWidget(save_);
+    row->addStretch();
+    row->addWidget(close);
+    connect(close, &QPushButton::clicked, this, &QDialog::close);
+    return row;
+}
+
+void ImpactDialog::fill_save_menu(QMenu& menu) {
+    menu.addAction(tr("&Document (PDF) …"), this, [this] {
+        const QString file =
+            ask_file(tr("Save the Impact"), QStringLiteral(".pdf"), tr("PDF document (*.pdf)"));
+        if (!file.isEmpty()) write_document(file, ReportFormat::pdf);
+    });
+    menu.addAction(tr("Document (&HTML) …"), this, [this] {
+        const QString file =
+            ask_file(tr("Save the Impact"), QStringLiteral(".html"), tr("HTML page (*.html)"));
+        if (!file.isEmpty()) write_document(file, ReportFormat::html);
+    });
+    menu.addAction(tr("&Table (CSV) …"), this, [this] {
+        const QString file = ask_file(tr("Save the Table"), QStringLiteral(".csv"), tr("CSV table (*.csv)"));
+        if (!file.isEmpty()) write_text(file, to_csv(impact_table(*impact_)));
+    });
+    menu.addAction(tr("&List of Files to Amend …"), this, [this] {
+        const QString file = ask_file(tr("Save the List"), QStringLiteral(".txt"), tr("Text (*.txt)"));
+        if (!file.isEmpty()) write_text(file, list_to_amend(*impact_));
+    });
+}
+
+void ImpactDialog::refresh() {
+    const ImpactWords words = form_->words();
+    evaluate_->setEnabled(!is_busy() && !words.old_figures.empty() && !words.folders.empty());
+    evaluate_->setText(words.new_figures.empty() ? tr("&Find Who Used It") : tr("&Evaluate"));
+}
+
+void ImpactDialog::evaluate() {
+    asked_ = form_->words();
+    const auto tell = [this](const Progress& now) {
+        inbox_.post([this, now] {
+            progress_->setRange(0, static_cast<int>(now.trials_planned));
+            progress_->setValue(static_cast<int>(now.trials_done));
+        });
+    };
+    job_.start(
+        [this, tell, words = asked_,
+         first_order = form_->is_first_order()](const std::stop_token& stop) -> JobQueue::Delivery {
+            auto found = find_impact(words, first_order, {stop, tell, 0, nullptr});
+            if (!found) return [this, error = found.error()] { show_failure(error); };
+            return [this, is_evaluated = !words.new_figures.empty(),
+                    impact = std::make_shared<const Impact>(*std::move(found))] {
+                end_run();
+                show_impact(impact, is_evaluated);
+            };
+        },
+        [this](const Error& error) { show_failure(error); });
+    progress_->setRange(0, 0);
+    progress_->show();
+    stop_->setEnabled(true);
+    refresh();
+}
+
+void ImpactDialog::stop() {
+    job_.cancel();
+    end_run();
+}
+
+void ImpactDialog::reject() {
+    if (is_busy()) return stop();
+    QDialog::reject();
+}
+
+void ImpactDialog::end_run() {
+    progress_->hide();
+    stop_->setEnabled(false);
+    refresh();
+}
+
+void ImpactDialog::show_failure(const Error& error) {
+    end_run();
+    show_impact({}, false);
+    answer_->setText(to_qt(error.message));
+}
+
+void ImpactDialog::show_impact(std::shared_ptr<const Impact> impact, bool is_evaluated) {
+    impact_ = std::move(impact);
+    model_.set_impact(impact_, is_evaluated);
+    QStringList said;
+    if (impact_)
+        for (const Message& sentence : impact_sentences(*impact_)) said << to_qt(sentence);
+    // The last of the first two sentences is the answer: how many results change, else who used it.
+    const qsizetype answer = std::min<qsizetype>(said.size(), 2) - 1;
+    answer_->setText(answer < 0 ? tr("Which results change when the figures of a certificate do?")
+                                : said.takeAt(answer));
+    sentences_->setText(said.join(QLatin1Char(' ')));
+    sentences_->setVisible(!said.isEmpty());
+    failures_->clear();
+    if (impact_)
+        for (const ImpactFailure& failure : impact_->failures)
+            failures_->addItem(QStringLiteral("%1: %2").arg(to_qt(failure.file), to_qt(failure.cause)));
+    failures_->setVisible(failures_->count() > 0);
+    const int lines = std::min(2 * failures_->count(), most_lines_of_failures);  // two for each
+    failures_->setFixedHeight(lines * (fontMetrics().lineSpacing() + 4) + 8);
+    save_->setEnabled(impact_ && is_evaluated);
+}
+
+QString ImpactDialog::ask_file(const QString& title, const QString& ending, const QString& filter) {
+    const QString file =
+        dialogs_.file_to_save(title, QDir(last_folder()).filePath(tr("impact") + ending), filter);
+    if (file.isEmpty()) return {};
+    remember_folder_of(file);
+    return file.endsWith(ending) ? file : file + ending;
+}
+
+void ImpactDialog::write_document(const QString& file, ReportFormat format) {
+    ReportTarget target;
+    target.folder = to_path(QFileInfo(file).path());
+    target.name = to_std(QFileInfo(file).completeBaseName());
+    target.formats = {format};
+    job_.start(
+        [this, file, target, words = asked_, impact = impact_,
+         language = language_of_window()](const std::stop_token& stop) -> JobQueue::Delivery {
+            const auto written = export_report(build_impact(words, *impact, language), target, {}, stop);
+            return [this, file, written] { finish_writing(file, written); };
+        },
+        [this, file](const Error& error) { finish_writing(file, fail(error)); });
+}
+
+void ImpactDialog::write_text(const QString& file, const std::string& text) {
+    finish_writing(file, write_file_atomically(to_path(file), text));
+}
+
+void ImpactDialog::finish_writing(const QString& file, const Result<void>& written) {
+    if (!written) return dialogs_.show_message(tr("It could not be saved"), to_qt(written.error().message));
+    sentences_->setText(tr("Wrote %1").arg(QDir::toNativeSeparators(file)));
+    sentences_->show();
+    refresh();
+    emit finished_writing(file);
+}
+
+}  // namespace covaria::ui
