@@ -5,6 +5,7 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <utility>
 #include <vector>
@@ -219,6 +220,17 @@ std::vector<std::string> usual_names() {
     return names;
 }
 
+/// Where two have one name, the one without a prefix comes first: "min", "Pa".
+std::map<std::string, KnownUnit, std::less<>> units_by_name() {
+    std::map<std::string, KnownUnit, std::less<>> known;
+    for (const UnitEntry& unit : units) known.emplace(unit.name, without_prefix(unit));
+    for (const UnitEntry& unit : units)
+        for (const Prefix& prefix : prefixes)
+            if (takes(unit, prefix))
+                known.emplace(std::string(prefix.letter) + std::string(unit.name), with_prefix(unit, prefix));
+    return known;
+}
+
 std::vector<std::string> similar_units(std::string_view unknown) {
     if (std::vector<std::string> named = named_in_words(unknown); !named.empty()) return named;
     const std::size_t tolerated = unknown.size() <= 1 ? 0 : unknown.size() <= 3 ? 1 : 2;
@@ -252,13 +264,8 @@ std::vector<KnownUnit> all_units() {
 }
 
 std::optional<KnownUnit> find_unit(std::string_view name) {
-    for (const UnitEntry& unit : units)
-        if (unit.name == name) return without_prefix(unit);
-    for (const UnitEntry& unit : units)
-        for (const Prefix& prefix : prefixes)
-            if (name.starts_with(prefix.letter) && name.substr(prefix.letter.size()) == unit.name &&
-                takes(unit, prefix))
-                return with_prefix(unit, prefix);
+    static const std::map<std::string, KnownUnit, std::less<>> known = units_by_name();
+    if (const auto found = known.find(name); found != known.end()) return found->second;
     // Symbols beside the usual one: both letters for the litre, two words for a thousandth of an inch.
     constexpr std::array<std::pair<std::string_view, std::string_view>, 4> further{
         {{"mil", "thou"}, {"inch", "in"}, {"foot", "ft"}, {"day", "d"}}};

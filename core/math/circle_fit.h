@@ -3,6 +3,7 @@
 #pragma once
 
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include "core/math/dual.h"
@@ -31,7 +32,7 @@ enum class PlaneFit {
 
 namespace circle_detail {
 
-inline constexpr int plane_steps = 6, circle_steps = 10;
+inline constexpr int plane_steps = 6, circle_steps = 10, dual_steps = 4;
 
 /// Points in the axes of the start, from its centre.
 template <class Real, class Points>
@@ -141,6 +142,36 @@ Vector3<Real> circle_step(const CircleStart& start, const Points& point, std::si
     return (bc * gu + c.cross(a) * gv + a.cross(b) * g1) * Real(Real(1.0) / a.dot(bc));
 }
 
+template <class Real>
+Eigen::Vector3d values_of(const Vector3<Real>& v) {
+    return {v[0].value(), v[1].value(), v[2].value()};
+}
+
+/// Where a fit begins, in the plane, and how many steps it takes.
+template <class Real>
+struct CircleBegin {
+    Vector3<Real> circle;
+    int steps;
+};
+
+template <class Real, class Points>
+CircleBegin<Real> begin_circle(const CircleStart& start, const Points& point, std::size_t n,
+                               const Plane<Real>& plane) {
+    const Vector3<Real> circle(Real(-plane.origin.dot(plane.e1)), Real(-plane.origin.dot(plane.e2)),
+                               Real(start.radius));
+    if constexpr (!std::is_same_v<Real, Dual>)
+        return {circle, circle_steps};
+    else {
+        // Values come to rest first, where steps cost little. Each step from there makes the partial
+        // derivatives exact to a further power of the misses as parts of the radius.
+        const Plane<double> values(values_of(plane.origin), values_of(plane.n));
+        const auto value = [&](std::size_t k) { return values_of<Dual>(point(k)); };
+        Eigen::Vector3d at = values_of(circle);
+        for (int k = 0; k < circle_steps; ++k) at += circle_step<double>(start, value, n, values, at);
+        return {Vector3<Real>(Real(at[0]), Real(at[1]), Real(at[2])), dual_steps};
+    }
+}
+
 }  // namespace circle_detail
 
 /// `point(k)` gives a Vector3<Real> for k < n, near the start's circle. The normal is on the side of the
@@ -152,9 +183,9 @@ SpaceCircle<Real> fit_circle(const CircleStart& start, const Points& point, std:
     const Vector3<Real> mean = mean_of<Real>(start, point, n);
     const Plane<Real> plane(mean, fit == PlaneFit::equation_1 ? paper_normal<Real>(start, point, n)
                                                               : total_normal<Real>(start, point, n, mean));
-    Vector3<Real> circle(Real(-mean.dot(plane.e1)), Real(-mean.dot(plane.e2)), Real(start.radius));
+    auto [circle, steps] = begin_circle<Real>(start, point, n, plane);
     Vector3<Real> step(Real(0.0), Real(0.0), Real(0.0));
-    for (int k = 0; k < circle_steps; ++k) {
+    for (int k = 0; k < steps; ++k) {
         step = circle_step<Real>(start, point, n, plane, circle);
         circle += step;
     }

@@ -50,8 +50,16 @@ public:
         return chain(quotient, a, 1.0 / b.value_, b, -quotient / b.value_);
     }
     Dual operator-() const { return chain(-value_, *this, -1.0); }
-    Dual& operator+=(const Dual& b) { return *this = *this + b; }
-    Dual& operator-=(const Dual& b) { return *this = *this - b; }
+    Dual& operator+=(const Dual& b) {
+        value_ += b.value_;
+        for (std::size_t k = 0; k < size; ++k) partials_[k] += b.partials_[k];
+        return *this;
+    }
+    Dual& operator-=(const Dual& b) {
+        value_ -= b.value_;
+        for (std::size_t k = 0; k < size; ++k) partials_[k] -= b.partials_[k];
+        return *this;
+    }
     Dual& operator*=(const Dual& b) { return *this = *this * b; }
     Dual& operator/=(const Dual& b) { return *this = *this / b; }
 

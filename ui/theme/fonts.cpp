@@ -58,7 +58,7 @@ QString han_family() {
 /// somebody else lives.
 QStringList with_fallbacks(const QString& family) {
     QStringList families{family};
-    const QStringList installed = QFontDatabase::families();
+    static const QStringList installed = QFontDatabase::families();  // hundreds, asked for with every label
     for (const QString& other :
          {QStringLiteral("DejaVu Sans"), QStringLiteral("Liberation Sans"), han_family()})
         if (other != family && installed.contains(other)) families << other;
