@@ -9,6 +9,7 @@
 #include "core/result/result_line.h"
 #include "core/text/numbers.h"
 #include "core/text/round_numbers.h"
+#include "core/views/result_words.h"
 
 namespace covaria::report_parts {
 namespace {
@@ -227,7 +228,12 @@ void add_certified_conformity(Blocks& blocks, const ReportSource& source,
         const AnalysisEntry* entry = source.made.project().find_analysis(evaluated.analysis->id);
         if (!entry) continue;
         const std::string title = analyses.size() > 1 ? evaluated.analysis->name : "";
-        auto table = conformity_table(judge(*evaluated.result, *entry), evaluated, title, in);
+        Verdicts verdicts = judge(*evaluated.result, *entry);
+        // A result that may not be stated has no statement of conformity either.
+        std::erase_if(verdicts, [&](const RequirementResult& verdict) {
+            return !result_words::is_measurand(evaluated.result->outputs[verdict.output]);
+        });
+        auto table = conformity_table(verdicts, evaluated, title, in);
         if (!table) continue;
         blocks.push_back(std::move(*table));
     }

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/document/report_document.h"
@@ -62,6 +63,14 @@ protected:
         return text;
     }
 
+    bool states_conformity() const {
+        const auto blocks = build_certificate(*made_, evaluated_).blocks;
+        return std::ranges::any_of(blocks, [](const ReportBlock& block) {
+            const auto* table = std::get_if<TableBlock>(&block);
+            return table && table->table.id.starts_with("conformity");
+        });
+    }
+
     std::string id_;
     MadeProject::Pointer made_;
     std::vector<EvaluatedAnalysis> evaluated_;
@@ -82,6 +91,7 @@ TEST_F(BestCapabilityTest, ASmallerUIsRaisedToItInTheCertificateAlone) {
     EXPECT_EQ(findings()[0].verdict, CapabilityVerdict::raised);
     EXPECT_NEAR(findings()[0].smallest, least, 1e-6 * least);
     EXPECT_EQ(evaluated_U(), U);
+    EXPECT_TRUE(states_conformity());
     EXPECT_NEAR(as_stated(*made_, evaluated_).front().result->outputs.front().expanded_uncertainty, least,
                 1e-6 * least);
     EXPECT_NE(certificate().find("94 nm"), std::string::npos) << certificate();
@@ -99,6 +109,7 @@ TEST_F(BestCapabilityTest, ASmallerUMayBeRefused) {
     ASSERT_EQ(findings().size(), 1U);
     EXPECT_EQ(findings()[0].verdict, CapabilityVerdict::refused);
     EXPECT_NE(certificate().find("may not be stated"), std::string::npos) << certificate();
+    EXPECT_FALSE(states_conformity());
     EXPECT_EQ(as_stated(*made_, evaluated_).front().result->outputs.front().quantity.role,
               OutputRole::intermediate);
 }
