@@ -43,7 +43,19 @@ Eigen::Matrix3d overhead_gradients(const Eigen::Vector3d& v, double azimuth) {
     return G;
 }
 
-constexpr double angle_step = 1e-5;
+/// Of the three rotations that make R, each turns about an axis that those before it have turned.
+Eigen::Matrix3d turning_axes(const Station& station) {
+    const Vector3<double> a(station.coordinates[3], station.coordinates[4], station.coordinates[5]);
+    Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
+    if (station.angles == StationAngles::zyx) {
+        axes.col(1) = rotation_z(a[2]).col(1);
+        axes.col(0) = (rotation_z(a[2]) * rotation_y(a[1])).col(0);
+    } else {
+        axes.col(1) = rotation_x(a[0]).col(1);
+        axes.col(2) = (rotation_x(a[0]) * rotation_y(a[1])).col(2);
+    }
+    return axes;
+}
 
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
@@ -58,21 +70,15 @@ Eigen::SelfAdjointEigenSolver<Matrix6> correlation_of(const SensorSource& sensor
 
 }  // namespace
 
-StationGeometry::StationGeometry(const Station& station) : X_WS_(station.X_WS()), inverse_(X_WS_.inverse()) {
-    for (std::size_t i = 0; i < 3; ++i) {
-        Station higher = station, lower = station;
-        higher.coordinates[3 + i] += angle_step;
-        lower.coordinates[3 + i] -= angle_step;
-        higher_[i] = higher.X_WS().inverse();
-        lower_[i] = lower.X_WS().inverse();
-    }
-}
+StationGeometry::StationGeometry(const Station& station)
+    : X_WS_(station.X_WS()), inverse_(X_WS_.inverse()), turning_axes_(turning_axes(station)) {}
 
 Eigen::Matrix<double, 3, 6> StationGeometry::effect_on(const Eigen::Vector3d& p_W) const {
+    const Eigen::Vector3d from_station = p_W - X_WS_.translation();
     Eigen::Matrix<double, 3, 6> K;
     K.leftCols<3>() = -X_WS_.linear().transpose();
-    for (std::size_t i = 0; i < 3; ++i)
-        K.col(static_cast<int>(3 + i)) = (higher_[i] * p_W - lower_[i] * p_W) / (2.0 * angle_step);
+    for (int i = 0; i < 3; ++i)
+        K.col(3 + i) = X_WS_.linear().transpose() * from_station.cross(turning_axes_.col(i));
     return K;
 }
 

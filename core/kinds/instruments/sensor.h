@@ -53,7 +53,8 @@ public:
 
 private:
     Eigen::Isometry3d X_WS_, inverse_;
-    std::array<Eigen::Isometry3d, 3> higher_, lower_;  ///< `inverse_` with each angle a step more or less
+    Eigen::Matrix3d
+        turning_axes_;  ///< in W, about which each of the three angles turns the sensor, by columns
 };
 
 /// A deviation that all readings of the sensor share: scale, index, axes ...
