@@ -32,6 +32,7 @@ import poses
 import proving
 import robots
 import rounds
+import sensors
 from dual import Dual
 from units import exact, factor, si
 
@@ -39,7 +40,7 @@ MODELS = {"measurement-equation": equations.evaluate, "pose-from-points": poses.
           "calibration-curve": curves.evaluate, "observations-in-groups": groups.evaluate, "geometry-from-points": geometry.evaluate,
           "feature-relations": geometry.relations, "distance-meter-baseline": baselines.evaluate, "robot-pose": robots.evaluate,
           "tcp-from-ballbars": ballbars.evaluate, "theodolite-rounds": rounds.evaluate, "force-proving-instrument": proving.evaluate,
-          "robot-calibration": identification.evaluate}
+          "robot-calibration": identification.evaluate, "points-from-sensors": sensors.evaluate}
 BOUND = mp.mpf("1e-9")
 
 

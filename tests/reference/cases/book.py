@@ -76,6 +76,14 @@ class Started:
         raise NotImplementedError
 
 
+class Shaken(Started):
+    """The same with what is rounded on the way changed as much as what is typed."""
+
+    def __init__(self, assets, true, draw):
+        super().__init__(assets, true)
+        self.rounded = lambda x: x * (1 + draw.choice((-1, 1)) * CHANGE)
+
+
 def changed(value, draw, key=""):
     """A set-up with every number changed; whole numbers that count are not."""
     if isinstance(value, dict):
@@ -126,7 +134,7 @@ class Book:
             other = copy.deepcopy(self.project["assets"])
             for asset in other:
                 asset["setup"] = changed(asset["setup"], draw)
-            moved, moved_inputs = evaluate(dict(entry, setup=changed(entry["setup"], draw)), Started(other, true or {}))
+            moved, moved_inputs = evaluate(dict(entry, setup=changed(entry["setup"], draw)), Shaken(other, true or {}, draw))
             for key, (y, u, nu) in figures.items():
                 y_2, u_2, nu_2 = self.figures(moved[key], moved_inputs)
                 scale = max(abs(y), u)
