@@ -66,6 +66,14 @@ std::map<std::string, Figure> all_figures() {
         return [factor](const Subject& s) { return factor(region_of(s)); };
     };
     const auto verdict = [](auto figure) { return [figure](const Subject& s) { return figure(s.verdict); }; };
+    const auto normality = [](auto figure) {
+        return [figure](const Subject& s) {
+            const auto& m = s.output.monte_carlo;
+            return m ? figure(m->normality, *m, static_cast<double>(s.result.trials)) : std::nan("");
+        };
+    };
+    using N = const NormalityVerdict&;
+    using M = const MonteCarloOutput&;
     using R = const CoverageRegion&;
     using V = const RequirementResult&;
     return {
@@ -88,6 +96,15 @@ std::map<std::string, Figure> all_figures() {
         {"mc-high", {value, true, column("interval high")}},
         {"mc-skewness", {number, true, column("skewness")}},
         {"mc-kurtosis", {number, true, column("excess kurtosis")}},
+        {"mc-coverage-ratio", {number, true, column("coverage ratio")}},
+        {"mc-normal", {number, true, normality([](N n, M, double) { return n.acceptable ? 1.0 : 0.0; })}},
+        // Standard errors of the two under normality, times the root of the number of trials.
+        {"mc-skewness-error", {number, true, normality([](N n, M m, double t) {
+                                   return m.skewness / n.skewness_z * std::sqrt(t);
+                               })}},
+        {"mc-kurtosis-error", {number, true, normality([](N n, M m, double t) {
+                                   return m.kurtosis / n.kurtosis_z * std::sqrt(t);
+                               })}},
         {"mc-short-low", {value, true, column("shortest low")}},
         {"mc-short-high", {value, true, column("shortest high")}},
         {"mc-correlation",

@@ -24,6 +24,7 @@ import baselines
 import curves
 import equations
 import first_order
+import forces
 import geometry
 import groups
 import identification
@@ -40,7 +41,8 @@ MODELS = {"measurement-equation": equations.evaluate, "pose-from-points": poses.
           "calibration-curve": curves.evaluate, "observations-in-groups": groups.evaluate, "geometry-from-points": geometry.evaluate,
           "feature-relations": geometry.relations, "distance-meter-baseline": baselines.evaluate, "robot-pose": robots.evaluate,
           "tcp-from-ballbars": ballbars.evaluate, "theodolite-rounds": rounds.evaluate, "force-proving-instrument": proving.evaluate,
-          "robot-calibration": identification.evaluate, "points-from-sensors": sensors.evaluate}
+          "robot-calibration": identification.evaluate, "points-from-sensors": sensors.evaluate,
+          "force-moment-channels": forces.channels, "force-moment-loads": forces.loads}
 BOUND = mp.mpf("1e-9")
 
 

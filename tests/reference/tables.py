@@ -12,6 +12,7 @@ def table(given, folder):
     if "csv" in given:
         lines = [line for line in (folder / given["csv"]).read_text().splitlines() if line and not line.startswith("#")]
         columns, *listed = csv.reader(lines)
+        columns = [given.get("columns", {}).get(column, column) for column in columns]
     else:
         columns, listed = given["columns"], given["rows"]
     heads = [re.fullmatch(r"([^\[]*?)\s*(?:\[(.*)\])?", column).groups() for column in columns]

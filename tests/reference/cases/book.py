@@ -56,7 +56,8 @@ def quantile(p, nu=mp.inf):
     if nu != mp.inf and nu < 3:
         t = max(t, (mp.mpf(1) / (nu * tail)) ** (1 / nu))
     for _ in range(60):
-        step = (upper_tail(t, nu) - tail) / density(t, nu)
+        with mp.workdps(70):  # many degrees of freedom take digits
+            step = (upper_tail(t, nu) - tail) / density(t, nu)
         t = t + step if t + step > 0 else t / 2
         if abs(step) < mp.mpf(10) ** -46 * t:
             return t
@@ -93,7 +94,7 @@ def changed(value, draw, key=""):
         return {k: changed(v, draw, k) for k, v in value.items()}
     if isinstance(value, list):
         return [changed(v, draw, key) for v in value]
-    if isinstance(value, (int, float)) and not isinstance(value, bool) and key not in ("joint", "n", "nu", "degree", "points"):
+    if isinstance(value, (int, float)) and not isinstance(value, bool) and key not in ("joint", "n", "nu", "degree", "points", "run", "step"):
         return value * (1 + draw.choice((-1, 1)) * CHANGE)
     return value
 
