@@ -21,6 +21,7 @@ except ImportError:
 
 import ballbars
 import baselines
+import circles
 import curves
 import equations
 import first_order
@@ -42,7 +43,7 @@ MODELS = {"measurement-equation": equations.evaluate, "pose-from-points": poses.
           "feature-relations": geometry.relations, "distance-meter-baseline": baselines.evaluate, "robot-pose": robots.evaluate,
           "tcp-from-ballbars": ballbars.evaluate, "theodolite-rounds": rounds.evaluate, "force-proving-instrument": proving.evaluate,
           "robot-calibration": identification.evaluate, "points-from-sensors": sensors.evaluate,
-          "force-moment-channels": forces.channels, "force-moment-loads": forces.loads}
+          "robot-circle-points": circles.evaluate, "force-moment-channels": forces.channels, "force-moment-loads": forces.loads}
 BOUND = mp.mpf("1e-9")
 
 

@@ -94,7 +94,7 @@ def changed(value, draw, key=""):
         return {k: changed(v, draw, k) for k, v in value.items()}
     if isinstance(value, list):
         return [changed(v, draw, key) for v in value]
-    if isinstance(value, (int, float)) and not isinstance(value, bool) and key not in ("joint", "n", "nu", "degree", "points", "run", "step"):
+    if isinstance(value, (int, float)) and not isinstance(value, bool) and key not in ("joint", "n", "nu", "degree", "points", "run", "step", "point_count"):
         return value * (1 + draw.choice((-1, 1)) * CHANGE)
     return value
 

@@ -36,7 +36,7 @@ def main():
         ["Fx", 0.00086, 2], ["Fy", 0.00087, 2], ["Fz", 0.0004, 2.1], ["Mx", 0.00087, 2], ["My", 0.00086, None], ["Mz", 0.0017, 2]]}}})
     common = {"resolution": {"value": 1e-05, "unit": "mV/V"}, "calibrator": "machine"}
     channels = lambda axes: {"columns": ["axis", "rated_force [N]", "rated_moment [N*m]"], "rows": [[h, load if unit == "N" else None, load if unit != "N" else None] for h, (load, unit) in axes.items()]}
-    book.asset({"id": "three", "kind": "force-sensor", "name": "Three axes", "setup": common | {"channels": channels(RATED), "data": "readings", "preloads": 0, "readings": {
+    book.asset({"id": "three", "kind": "force-sensor", "name": "Three axes", "setup": common | {"channels": channels(RATED), "data": "readings", "preloads": 0, "steps": 4, "readings": {
         "columns": ["loaded_axis", "series", "run", "phase", "step", "load", "load_unit"] + [f"{h} [mV/V]" for h in RATED], "rows": readings()}}})
     book.asset({"id": "six", "kind": "force-sensor", "name": "Six axes, printed", "setup": common | {
         "channels": channels({h: (100, "N") if h[0] == "F" else (1, "N*m") for h in PRINTED}), "data": "summary", "has_signs": True,

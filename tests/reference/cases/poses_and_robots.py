@@ -63,11 +63,33 @@ def arms(book):
             book.case(f"Arm {name}, place {number + 1}", EVALUATED.format("robots.py") + (", closed form of u(gamma)" if expected else ""), entry, units, None, expected, ["JCGM 102:2011, 6.2"], size=1)
 
 
+def reversed_arms(book):
+    """Joints that turn or slide against their readings, by both conventions, with readings and a tool that are uncertain, in the world."""
+    units = {**dict.fromkeys("xyz", "mm"), **dict.fromkeys(("alpha", "beta", "gamma"), "deg")}
+    columns = ["theta [deg]", "d [mm]", "a [mm]", "alpha [deg]", "q_zero [deg]", "s_zero [mm]", "direction", "type", "u_encoder [deg]", "u_repeatability [deg]", "u_s_encoder [mm]"]
+    pose = lambda position, angles: {"position": position, "lengthUnit": "mm", "angles": angles, "angleUnit": "deg"}
+    for convention in ("standard", "craig"):
+        rows = [[10, 400, 25, 90, 5, None, "negative", "turning", 0.003, 0.002, None], [-30, 20, 455, 12, -10, None, "positive", "turning", None, 0.004, None],
+                [5, 150, 35, -85, None, 40, "negative", "sliding", None, None, 0.03], [0, 420, 10, 70, None, None, "negative", "turning", 0.002, None, None]]
+        book.asset({"id": "reversed-" + convention, "kind": "serial-robot", "name": "reversed, " + convention, "setup": {
+            "convention": convention, "joints": {"columns": columns, "rows": rows}, "base": pose([120, -340, 75], [3, -8, 40]), "tool": pose([12, -5, 90], [20, -10, 35]),
+            "u_tool_position": {"value": 0.02, "unit": "mm"}, "u_tool_angle": {"value": 0.005, "unit": "deg"},
+            "uncertainties": {"columns": ["source", "joint", "u_theta [deg]", "u_d [mm]", "u_a [mm]", "u_alpha [deg]", "nu"],
+                              "rows": [["certificate", None, 0.004, 0.02, 0.015, 0.006, 9], ["assembly", 2, 0.003, 0.05, None, None, None]]}}})
+        for number, readings in enumerate([[25, -40, 95, 30], [-70, 15, -20, -60]], 1):
+            setup = {"robot": "reversed-" + convention, "frame": ("base", "world")[number - 1],
+                     "poses": {"columns": ["name", "q_1 [deg]", "q_2 [deg]", "s_3 [mm]", "q_4 [deg]"], "rows": [["place", *readings]]}}
+            title = f"Arm with reversed joints, {convention} convention, place {number}"
+            entry = book.analysis(f"reversed-{convention}-{number}", "robot-pose", title, setup)
+            book.case(title, EVALUATED.format("robots.py"), entry, units, None, None, ["JCGM 102:2011, 6.2"], size=1)
+
+
 def main():
     book = Book("poses-and-robots", "Poses from points, and poses of robots",
                 "Frames by three points and by least squares, against a base of three points; arms of two, three and six joints with the uncertainty of their parameters. Invented figures; the reference values are of a second evaluator: see covaria verify.")
     moving(book)
     arms(book)
+    reversed_arms(book)
     book.write("Poses: a second evaluator at 50 digits, made by tests/reference/cases/poses_and_robots.py")
 
 
