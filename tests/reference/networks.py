@@ -1,4 +1,4 @@
-"""The model "network adjustment" with stated uncertainties: Gauss-Markov adjustment, dense, in 40 digits.
+"""The model "network adjustment" with stated uncertainties, correlations, tilts and figures of instruments: Gauss-Markov adjustment, dense, in 40 digits.
 
 The results of the program are only where Newton's method begins; what is compared is the solution of the normal equations, and its derivatives with
 respect to each reading, K = (J' P J)^-1 J' P. In a free network the sum of squares of the changes of the datum's coordinates is least.
@@ -8,7 +8,8 @@ import mpmath as mp
 from dual import Dual, atan2, hypot
 from first_order import Inputs
 from tables import table
-from vectors import minus
+from units import exact, quantity
+from vectors import minus, product, times, transposed, turn
 
 LENGTHS = ("slope-distance", "horizontal-distance", "height-difference", "x", "y", "z", "dx", "dy", "dz")
 
@@ -17,36 +18,85 @@ def bearing(v, sense):
     return atan2(v[1], v[0]) if sense == "x-to-y" else atan2(v[0], v[1])
 
 
+FIGURES = {"zero": ("length", "c", LENGTHS[:2]), "scale": ("ratio", "m", LENGTHS[:2]), "refraction": ("ratio", "k", ("zenith-angle",)), "index": ("angle", "i", ("zenith-angle",)),
+           "collimation": ("angle", "q", ("direction",))}
+
+
 def computed(row, at, sense):
-    """The reading as the unknowns give it."""
+    """The reading as the unknowns give it; in face two, which is brought to face one, index and collimation count the other way."""
     kind, place = row["kind"], lambda end: [at[row[end], axis] for axis in "xyz"]
     if kind in ("x", "y", "z"):
         return at[row["from"], kind]
-    d = minus(place("to"), place("from"))
-    d[2] += row.get("height_to", 0) - row.get("height_from", 0)
+    if kind == "stated":
+        return at[row["from"]]
+    figure = lambda name: at.get(("figure", row.get("instrument"), name), Dual(0)) * (-1 if row.get("face") == "two" and name in ("index", "collimation") else 1)
+
+    def seen(end):
+        d = minus(place(end), place("from"))
+        d[2] += row.get("height_to", 0) - row.get("height_from", 0)
+        if kind == "zenith-angle" and "curvature" in at:
+            d[2] -= at["curvature"] / 2 * (1 - at.get(("figure", row.get("instrument"), "refraction"), at["refraction"])) * (d[0] ** 2 + d[1] ** 2)
+        if (row["from"], "tilt", 0) in at and kind in ("direction", "zenith-angle", "angle", "azimuth"):
+            d = times(transposed(product(*(turn(i, at[row["from"], "tilt", i]) for i in (0, 1)))), d)
+        return d
+
+    d = seen("to")
     if kind in ("dx", "dy", "dz"):
         return d["xyz".index(kind[1])]
     if kind == "height-difference":
         return d[2]
-    if kind == "slope-distance":
-        return hypot(*d)
-    if kind == "horizontal-distance":
-        return hypot(d[0], d[1])
+    if kind.endswith("distance"):
+        return (hypot(*d) if kind == "slope-distance" else hypot(d[0], d[1])) * (1 + figure("scale")) + figure("zero")
     if kind == "zenith-angle":
-        return atan2(hypot(d[0], d[1]), d[2])
+        return atan2(hypot(d[0], d[1]), d[2]) + figure("index")
     if kind == "azimuth":
         return bearing(d, sense)
     if kind == "direction":
-        return bearing(d, sense) - at[row["from"], "o", row.get("round", "")]
+        return bearing(d, sense) - at[row["from"], "o", row.get("round", "")] + figure("collimation") * (hypot(*d) / hypot(d[0], d[1]))
     if kind == "angle":
-        return bearing(minus(place("second"), place("from")), sense) - bearing(d, sense)
+        return bearing(seen("second"), sense) - bearing(d, sense)
     raise NotImplementedError(kind)
+
+
+def of_instruments(setup, folder, values, known, readings):
+    """Figures and tilts: unknowns, and what is stated of them as readings."""
+    if "earth_radius" in setup:
+        known |= {"curvature": 1 / quantity(setup, "earth_radius"), "refraction": quantity(setup, "refraction", "0.13")}
+    for row in table(setup.get("figures"), folder):
+        what, _, _ = FIGURES[row["figure"]]
+        key, value = ("figure", row.get("instrument"), row["figure"]), row.get(what, known["refraction"] if row["figure"] == "refraction" else mp.mpf(0))
+        (known if row["knowledge"] == "fixed" else values)[key] = value
+        if row["knowledge"] == "stated":
+            readings.append({"kind": "stated", "from": key, "length": value, "u_length": row["u_" + what]})
+    for row in table(setup.get("stations"), folder):
+        for i in (0, 1):
+            values[row["point"], "tilt", i] = mp.mpf(0)
+            if row["tilt"] == "levelled":
+                readings.append({"kind": "stated", "from": (row["point"], "tilt", i), "length": mp.mpf(0), "u_length": row["u_tilt"]})
+    for row in readings:
+        if row.get("face") == "two":
+            row["angle"] = 2 * mp.pi - row["angle"] if row["kind"] == "zenith-angle" else row["angle"] - mp.pi
+
+
+def weights(setup, readings, inputs):
+    """Of each reading, with those that it is correlated with: the inverse of the covariance."""
+    labels = {row["label"]: i for i, row in enumerate(readings) if "label" in row}
+    c = mp.diag([u ** 2 for _, u, _ in inputs.components])
+    listed = (setup.get("correlations") or {"rows": []})["rows"]
+    for first, second, r in listed:
+        i, j = labels[first], labels[second]
+        inputs.correlate(i, j, exact(r))
+        c[i, j] = c[j, i] = exact(r) * inputs.components[i][1] * inputs.components[j][1]
+    if not listed:
+        return [{i: 1 / c[i, i]} for i in range(c.rows)]
+    p = c ** -1
+    return [{k: p[i, k] for k in range(c.rows) if p[i, k]} for i in range(c.rows)]
 
 
 def evaluate(entry, project):
     setup, inputs, started = entry["setup"], Inputs(), project.started(entry["id"])
-    if setup.get("uncertainties", "stated") != "stated" or any(setup.get(key) for key in ("stations", "correlations", "seen_in", "instruments")):
-        raise NotImplementedError("uncertainties as seen, tilts, correlations")
+    if setup.get("uncertainties", "stated") != "stated" or any(setup.get(key) for key in ("seen_in", "frames", "gross_limit")):
+        raise NotImplementedError("uncertainties as seen, own frames")
     points, readings, sense = table(setup["points"], project.folder), table(setup["readings"], project.folder), setup.get("sense", "x-to-y")
     values, datum, known = {}, [], {}
     for point in points:
@@ -60,6 +110,7 @@ def evaluate(entry, project):
                 readings.append({"kind": axis, "from": point["name"], "length": point[axis], "u_length": point["u_" + axis]})
             if state == "datum":
                 datum.append((key, point[axis]))
+    of_instruments(setup, project.folder, values, known, readings)
     place = known | values
     for row in readings:
         if row["kind"] == "direction":
@@ -68,22 +119,24 @@ def evaluate(entry, project):
     index = {key: i for i, key in enumerate(values)}
     n, constants = len(index), {key: Dual(value) for key, value in known.items()}
     for i, row in enumerate(readings):
-        inputs.add(i, row["u_length" if row["kind"] in LENGTHS else "u_angle"])
-    for _ in range(4):
+        inputs.add(i, row["u_length" if row["kind"] in LENGTHS + ("stated",) else "u_angle"])
+    weight = weights(setup, readings, inputs)
+    for _ in range(6 if table(setup.get("stations"), project.folder) else 4):
         at = constants | {key: Dual(value, {index[key]: mp.mpf(1)}) for key, value in values.items()}
         constraints = null_space(values, index, datum, readings, [p for p in points if "fixed" in (p["plane"], p["height"])])
         normal, right = mp.zeros(n + len(constraints)), mp.zeros(n + len(constraints), len(readings) + 1)
+        predicted = [computed(row, at, sense) for row in readings]
         for i, row in enumerate(readings):
-            h, length = computed(row, at, sense), row["kind"] in LENGTHS
-            misclosure = row["length" if length else "angle"] - h.v
+            length = row["kind"] in LENGTHS + ("stated",)
+            misclosure = row["length" if length else "angle"] - predicted[i].v
             if not length:
                 misclosure -= 2 * mp.pi * mp.nint(misclosure / (2 * mp.pi))
-            weight = 1 / inputs.components[i][1] ** 2
-            for a, da in h.g.items():
-                right[a, 0] += da * weight * misclosure
-                right[a, i + 1] = da * weight
-                for b, db in h.g.items():
-                    normal[a, b] += da * weight * db
+            for k, w in weight[i].items():
+                for a, da in predicted[k].g.items():
+                    right[a, 0] += da * w * misclosure
+                    right[a, i + 1] += da * w
+                    for b, db in predicted[i].g.items():
+                        normal[a, b] += da * w * db
         for c, row in enumerate(constraints, n):
             for a, value in row.items():
                 normal[c, a] = normal[a, c] = value
@@ -94,7 +147,11 @@ def evaluate(entry, project):
     results = {}
     at = constants | {key: Dual(values[key], {i: solution[row, i + 1] for i in range(len(readings))}) for key, row in index.items()}
     for key in index:
-        if key[1] == "o":
+        if key[0] == "figure":
+            results[FIGURES[key[2]][1] + (f"_{key[1]}" if key[1] else ""), "instruments"] = at[key]
+        elif key[1] == "tilt":
+            results[f"tilt_{'xy'[key[2]]}_{key[0]}", "orientations"] = at[key]
+        elif key[1] == "o":
             name = "o_" + key[0] + (f"_{key[2]}" if key[2] else ""), "orientations"
             results[name] = at[key] - 2 * mp.pi * mp.nint((values[key] - started.get(name, values[key])) / (2 * mp.pi))
         else:

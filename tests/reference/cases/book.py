@@ -33,7 +33,7 @@ EVALUATORS = {"network-adjustment": networks.evaluate, "pose-from-points": poses
               "calibration-curve": curves.evaluate, "observations-in-groups": groups.evaluate}
 CHANGE = 1e-8
 # An angle comes from direction cosines, so that what is rounded is of the size of one radian.
-ANGLE = {"deg": 180 / mp.pi, "gon": 200 / mp.pi, "µrad": 10 ** 6, "urad": 10 ** 6}
+ANGLE = {"arcsec": 648000 / mp.pi, "deg": 180 / mp.pi, "gon": 200 / mp.pi, "µrad": 10 ** 6, "urad": 10 ** 6}
 TESTS = pathlib.Path(__file__).resolve().parents[3]
 FOLDER = TESTS / "resources" / "verification"
 
