@@ -116,9 +116,9 @@ class Book:
         self.project["analyses"].append(entry)
         return entry
 
-    def case(self, title, source, entry, units, true=None, expected=None, clauses=(), draws=8, group_of=(), size=0):
+    def case(self, title, source, entry, units, true=None, expected=None, clauses=(), draws=8, group_of=(), size=0, sizes=()):
         """Evaluates, compares with closed forms (`expected`: result -> (estimate or None, u)), and notes every figure of every result.
-        `size`: of the coordinates in metres that are rounded on the way to lengths. `units`: symbol (or None for the others) -> unit in which the program gives it."""
+        `size`: of the coordinates in metres that are rounded on the way to lengths; `sizes`: by unit, of others. `units`: symbol (or None for the others) -> unit in which the program gives it."""
         project = lambda: Started(self.project["assets"], true or {})
         evaluate = EVALUATORS[entry["model"]]
         results, inputs = evaluate(entry, project())
@@ -147,7 +147,7 @@ class Book:
             unit = units.get(symbol, units.get(None, "1"))
             if unit == "gon":  # an orientation is from -200 to 200 gon
                 y -= 2 * mp.pi * mp.nint(y / (2 * mp.pi))
-            checks.append(self.line(entry, symbol, group, unit, y, u, nu, condition[key], least=size if unit in ("m", "mm") else ANGLE.get(unit, 0) * factor(unit)))
+            checks.append(self.line(entry, symbol, group, unit, y, u, nu, condition[key], least=dict(sizes).get(unit, size if unit in ("m", "mm") else ANGLE.get(unit, 0) * factor(unit))))
         made = {"project": f"resources/verification/{self.name}.covaria", "title": title, "source": source, "checks": checks}
         if clauses:
             made["clauses"] = list(clauses)
