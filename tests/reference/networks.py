@@ -162,7 +162,8 @@ def evaluate(entry, project):
 
 
 def null_space(values, index, datum, readings, fixed):
-    """What no reading tells and no fixed coordinate holds, restricted to the datum: shifts, and the turn about the vertical."""
+    """What no reading tells and no fixed coordinate holds, restricted to the datum: shifts, and the turn about the vertical, or where all instruments
+    lean any turn."""
     if not datum:
         return []
     heights = all(row["kind"] == "height-difference" for row in readings)
@@ -174,4 +175,11 @@ def null_space(values, index, datum, readings, fixed):
     rows = [{index[key]: mp.mpf(1) for key, _ in datum if key[1] == axis} for axis in shifts]
     x_0, y_0 = (held[0]["x"], held[0]["y"]) if held else (0, 0)
     turn = {index[name, axis]: y_0 - values[name, "y"] if axis == "x" else values[name, "x"] - x_0 for (name, axis), _ in datum if axis != "z"}
-    return [row for row in rows + [turn] * (len(held) < 2) if row]
+    rows += [turn] * (len(held) < 2)
+    stations, stated_ = {row["from"] for row in readings if row["kind"] in ("direction", "zenith-angle", "angle")}, [row["from"] for row in readings if row["kind"] == "stated"]
+    if stations and all((station, "tilt", 0) in values and (station, "tilt", 0) not in stated_ for station in stations):  # nothing tells the vertical
+        if fixed:
+            raise NotImplementedError("fixed points and instruments that all lean")
+        for a, b in ("yz", "zx"):  # turns about x and y
+            rows.append({index[name, axis]: -values[name, b] if axis == a else values[name, a] for (name, axis), _ in datum if axis in (a, b)})
+    return [row for row in rows if row]

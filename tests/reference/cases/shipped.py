@@ -21,7 +21,8 @@ def stated(evaluate, outputs):
     """The evaluator without results that the analysis does not ask for."""
     def those(entry, project):
         results, inputs = evaluate(entry, project)
-        return {key: value for key, value in results.items() if (key if isinstance(key, tuple) else (key, "")) in outputs}, inputs
+        symbols = {symbol for symbol, _ in outputs}
+        return {key: value for key, value in results.items() if key in outputs or key in symbols}, inputs
     return those
 
 

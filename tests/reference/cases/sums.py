@@ -105,7 +105,7 @@ def main():
                    check("width of the interval by that of a normal distribution", "mc-coverage-ratio", ratio, scatter=float(mp.nstr(of_ratio * ratio, 4))),
                    check("a normal distribution describes it", "mc-normal", normal, absolute=1e-9)]
         book.cases.append({"project": "resources/verification/sums.covaria", "title": f"Sum of a quantity that is {name} and a rectangular one", "source": CLOSED,
-                           "clauses": ["JCGM 101:2008, 7.7"], "checks": checks})
+                           "clauses": ["JCGM 101:2008, 5.3.2", "JCGM 101:2008, 7"], "checks": checks})
     book.write("Sums: distribution functions at 50 digits, made by tests/reference/cases/sums.py")
 
 
