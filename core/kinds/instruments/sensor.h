@@ -53,8 +53,8 @@ public:
 
 private:
     Eigen::Isometry3d X_WS_, inverse_;
-    Eigen::Matrix3d
-        turning_axes_;  ///< in W, about which each of the three angles turns the sensor, by columns
+    /// Axes in W about which the three angles turn the sensor, by columns.
+    Eigen::Matrix3d turning_axes_;
 };
 
 /// A deviation that all readings of the sensor share: scale, index, axes ...
