@@ -77,6 +77,10 @@ void put_head(std::ostream& out, const Scene& scene) {
         << "size " << mm(scene.size) << " unit " << scene.unit.text << (scene.scale_bar ? " scale bar" : "")
         << (scene.floor ? " floor " + mm(*scene.floor) : "") << "\n";
     if (scene.focus) out << "focus " << mm(scene.focus->low) << " " << mm(scene.focus->high) << "\n";
+    if (scene.section)
+        out << "section across "
+            << "xyz"[scene.section->axis] << " at " << mm(scene.section->at)
+            << (scene.section->hides_high ? " hides high" : " hides low") << "\n";
     for (const std::string& note : scene.notes) out << "note \"" << note << "\"\n";
 }
 

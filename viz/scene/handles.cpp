@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "viz/scene/pick.h"
+#include "viz/scene/section.h"
 
 namespace covaria {
 namespace {
@@ -27,7 +28,7 @@ std::optional<Handle> tip_at(const Scene& scene, const Camera& camera, PictureSi
                              double reach) {
     std::optional<Handle> nearest;
     for (const SceneFrame& frame : scene.frames) {
-        if (!is_pose(frame.item.source)) continue;
+        if (!is_pose(frame.item.source) || is_cut_away(scene, frame.item.position)) continue;
         const Pixel origin = project(camera, size, frame.item.position);
         for (int i = 0; i < 3; ++i) {
             const Pixel tip = project(camera, size, frame.item.position + frame.length * frame.R_WF.col(i));

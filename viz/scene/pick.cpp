@@ -5,7 +5,10 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <tuple>
+
+#include "viz/scene/section.h"
 
 namespace covaria {
 namespace {
@@ -13,8 +16,13 @@ namespace {
 /// Scene coordinates of the picture: x to the right and y up in pixels, z away from the eye in metres.
 class View {
 public:
-    View(const Camera& camera, PictureSize size, Pixel pixel)
-        : camera_(camera), size_(size), pixel_(pixel), ray_(ray_through(camera, size, pixel)) {}
+    View(const Scene& scene, const Camera& camera, PictureSize size, Pixel pixel)
+        : scene_(scene),
+          camera_(camera),
+          size_(size),
+          pixel_(pixel),
+          ray_(ray_through(camera, size, pixel)),
+          seen_(part_seen()) {}
 
     Eigen::Vector2d offset(const Eigen::Vector3d& p) const {
         const Pixel at = project(camera_, size_, p);
@@ -27,19 +35,46 @@ public:
     }
     const Eigen::Vector3d& origin() const { return ray_.origin; }
     const Eigen::Vector3d& direction() const { return ray_.direction; }
+    /// Where along the ray a thing comes into view that is on it from `enters` to `leaves`: at the plane of a
+    /// section, maybe; nullopt: it is cut away there.
+    std::optional<double> first_seen(double enters, double leaves) const {
+        const double first = std::max(enters, seen_[0]);
+        return first <= std::min(leaves, seen_[1]) ? std::optional(first) : std::nullopt;
+    }
+    bool is_cut_away(const Eigen::Vector3d& p) const { return covaria::is_cut_away(scene_, p); }
+    /// The place on the ray that is nearest to `p`.
+    Eigen::Vector3d on_ray(const Eigen::Vector3d& p) const {
+        return ray_.origin + (p - ray_.origin).dot(ray_.direction) * ray_.direction;
+    }
 
-    /// Distance in pixels from the pixel to the projected segment, and the depth of the nearest place.
-    std::pair<double, double> to_segment(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const {
+    /// Distance in pixels from the pixel to the projected segment, and the depth of the nearest place; far
+    /// where the segment is cut away.
+    std::pair<double, double> to_segment(const Eigen::Vector3d& begin, const Eigen::Vector3d& end) const {
+        const auto left = left_of_line(scene_, begin, end);
+        if (!left) return {far_, far_};
+        const auto& [from, to] = *left;
         const Eigen::Vector2d a = offset(from), d = offset(to) - a;
         const double t = d.squaredNorm() > 0 ? std::clamp(-a.dot(d) / d.squaredNorm(), 0.0, 1.0) : 0.0;
         return {(a + t * d).norm(), depth(from + t * (to - from))};
     }
 
 private:
+    static constexpr double far_ = std::numeric_limits<double>::infinity();
+    /// Begin and end of the part of the ray that is not cut away.
+    std::array<double, 2> part_seen() const {
+        if (!scene_.section) return {-far_, far_};
+        const double deep = scene_.section->depth_of(ray_.origin);
+        const double deeper = scene_.section->depth_of(ray_.origin + ray_.direction) - deep;
+        if (deeper == 0.0) return deep > 0.0 ? std::array{far_, -far_} : std::array{-far_, far_};
+        return deeper > 0.0 ? std::array{-far_, -deep / deeper} : std::array{-deep / deeper, far_};
+    }
+
+    const Scene& scene_;
     Camera camera_;
     PictureSize size_;
     Pixel pixel_;
     Ray ray_;
+    std::array<double, 2> seen_;
 };
 
 /// Keeps the item of the best rank that the pixel lies on or least beside, then the one nearest to the eye.
@@ -59,8 +94,8 @@ private:
     std::optional<std::string> id_;
 };
 
-/// Depth at which the ray enters { centre + axes s, |s| <= 1 }; thin ellipsoids are taken 1 % thick.
-std::optional<double> enters(const View& view, const SceneEllipsoid& ellipsoid) {
+/// Where along the ray { centre + axes s, |s| <= 1 } is seen; thin ellipsoids are taken 1 % thick.
+std::optional<double> meets(const View& view, const SceneEllipsoid& ellipsoid) {
     Eigen::Matrix3d axes = ellipsoid.axes;
     const double thick = 0.01 * axes.col(0).norm();
     const Eigen::JacobiSVD<Eigen::Matrix3d> svd(axes, Eigen::ComputeFullU);
@@ -71,7 +106,7 @@ std::optional<double> enters(const View& view, const SceneEllipsoid& ellipsoid) 
     const double b = o.dot(d), a = d.squaredNorm();
     const double root = b * b - a * (o.squaredNorm() - 1);
     if (!(root >= 0)) return std::nullopt;
-    return (-b - std::sqrt(root)) / a;
+    return view.first_seen((-b - std::sqrt(root)) / a, (-b + std::sqrt(root)) / a);
 }
 
 bool inside(const View& view, const std::vector<Eigen::Vector3d>& outline) {
@@ -84,20 +119,23 @@ bool inside(const View& view, const std::vector<Eigen::Vector3d>& outline) {
     return in;
 }
 
-double depth_in_plane(const View& view, const SceneBody& body) {
+/// The place of a plate that is under the pixel.
+Eigen::Vector3d place_in_plane(const View& view, const SceneBody& body) {
     const double along = view.direction().dot(body.normal);
-    if (std::abs(along) < 1e-9) return view.depth(body.item.position);
-    return (body.item.position - view.origin()).dot(body.normal) / along;
+    if (std::abs(along) < 1e-9) return body.item.position;
+    return view.origin() + (body.item.position - view.origin()).dot(body.normal) / along * view.direction();
 }
 
 void offer_bodies(const Scene& scene, const View& view, Best& best) {
     for (const SceneBody& body : scene.bodies) {
-        if (body.outline.empty()) {
-            if (view.offset(body.item.position).norm() <= view.pixels(body.size / 2, body.item.position))
-                best.offer(4, 0.0, view.depth(body.item.position), body.item.id);
-        } else if (inside(view, body.outline)) {
-            best.offer(6, 0.0, depth_in_plane(view, body), body.item.id);
-        }
+        const bool is_plate = !body.outline.empty();
+        const Eigen::Vector3d& middle = body.item.position;
+        const bool is_there = is_plate ? inside(view, body.outline)
+                                       : view.offset(middle).norm() <= view.pixels(body.size / 2, middle);
+        if (!is_there || view.is_cut_away(is_plate ? place_in_plane(view, body) : view.on_ray(middle)))
+            continue;
+        best.offer(is_plate ? 6 : 4, 0.0, view.depth(is_plate ? place_in_plane(view, body) : middle),
+                   body.item.id);
     }
 }
 
@@ -118,7 +156,8 @@ std::optional<double> meets(const View& view, const SceneMesh& mesh) {
         const float v = d.dot(q) / det;
         if (!(v >= 0 && u + v <= 1)) continue;
         const float t = f.dot(q) / det;
-        if (!nearest || t < *nearest) nearest = t;
+        const double way = mesh.scale * static_cast<double>(t);
+        if ((!nearest || t < *nearest) && view.first_seen(way, way)) nearest = t;
     }
     if (!nearest) return std::nullopt;
     return view.depth(view.origin() + mesh.scale * static_cast<double>(*nearest) * view.direction());
@@ -128,10 +167,11 @@ std::optional<double> meets(const View& view, const SceneMesh& mesh) {
 
 std::optional<std::string> pick_item(const Scene& scene, const Camera& camera, PictureSize size, Pixel pixel,
                                      const std::function<bool(Layer)>& shown, double reach) {
-    const View view(camera, size, pixel);
+    const View view(scene, camera, size, pixel);
     Best best;
     if (shown(Layer::points))
         for (const ScenePoint& point : scene.points) {
+            if (view.is_cut_away(point.item.position)) continue;
             const double away = view.offset(point.item.position).norm(),
                          radius = view.pixels(point.radius, point.item.position);
             if (away <= std::max(reach, radius))
@@ -139,6 +179,7 @@ std::optional<std::string> pick_item(const Scene& scene, const Camera& camera, P
         }
     if (shown(Layer::frames))
         for (const SceneFrame& frame : scene.frames) {
+            if (view.is_cut_away(frame.item.position)) continue;
             if (const double away = view.offset(frame.item.position).norm(); away <= reach)
                 best.offer(1, away, view.depth(frame.item.position), frame.item.id);
             // A frame's axes are drawn while it is pointed at: other items that can be seen there come first.
@@ -157,7 +198,7 @@ std::optional<std::string> pick_item(const Scene& scene, const Camera& camera, P
         }
     if (shown(Layer::ellipsoids))
         for (const SceneEllipsoid& ellipsoid : scene.ellipsoids)
-            if (const auto depth = enters(view, ellipsoid)) best.offer(3, 0.0, *depth, ellipsoid.item.id);
+            if (const auto place = meets(view, ellipsoid)) best.offer(3, 0.0, *place, ellipsoid.item.id);
     if (shown(Layer::links))
         for (const SceneLink& link : scene.links) {
             const auto [away, depth] = view.to_segment(link.from, link.to);

@@ -40,7 +40,7 @@ void add_uncertainties(const Scene& scene, Box& box) {
                     Eigen::Vector3d(cloud.offsets[i], cloud.offsets[i + 1], cloud.offsets[i + 2]));
 }
 
-void add_all_but_meshes(const Scene& scene, Box& box) {
+void add_items(const Scene& scene, Box& box) {
     for (const SceneFrame& frame : scene.frames) box.add(frame.item.position);
     for (const ScenePoint& point : scene.points) box.add(point.item.position, point.radius);
     for (const SceneBody& body : scene.bodies) {
@@ -62,10 +62,12 @@ void add_all_but_meshes(const Scene& scene, Box& box) {
     if (scene.map)
         for (std::size_t i = 0; i < scene.map->positions.size(); ++i)
             if (std::isfinite(scene.map->values[i])) box.add(scene.map->positions[i], scene.map->radius);
-    if (scene.axes) {
-        box.add(scene.axes->low);
-        box.add(scene.axes->high);
-    }
+}
+
+void add_axes(const Scene& scene, Box& box) {
+    if (!scene.axes) return;
+    box.add(scene.axes->low);
+    box.add(scene.axes->high);
 }
 
 void add_meshes(const Scene& scene, Box& box) {
@@ -136,14 +138,23 @@ const SceneItem* find_item(const Scene& scene, const std::string& id) {
 
 SceneBounds bounds_of(const Scene& scene) {
     Box box;
-    add_all_but_meshes(scene, box);
+    add_items(scene, box);
+    add_axes(scene, box);
+    if (box.is_empty()) add_meshes(scene, box);
+    return box.bounds();
+}
+
+SceneBounds bounds_of_items(const Scene& scene) {
+    Box box;
+    add_items(scene, box);
     if (box.is_empty()) add_meshes(scene, box);
     return box.bounds();
 }
 
 SceneBounds bounds_with_meshes(const Scene& scene) {
     Box box;
-    add_all_but_meshes(scene, box);
+    add_items(scene, box);
+    add_axes(scene, box);
     add_meshes(scene, box);
     return box.bounds();
 }

@@ -13,6 +13,7 @@
 #include "core/result/joint_covariance.h"
 #include "core/text/numbers.h"
 #include "core/text/text.h"
+#include "viz/scene/section_plane.h"
 
 namespace covaria {
 
@@ -271,6 +272,7 @@ struct Scene {
     std::optional<double> floor = {};  ///< height of what everything stands on, m
     /// A box around the ellipsoids that the picture is about, where they are close together in a large whole.
     std::optional<SceneBounds> focus = {};
+    std::optional<SectionPlane> section = {};  ///< whoever looks at it cuts it there (section.h)
 
     std::vector<SceneFrame> frames;
     std::vector<ScenePoint> points;
@@ -304,7 +306,9 @@ bool stand_by_one_field(const SceneItem& a, const SceneItem& b);
 /// A box around everything drawn, axes included, without context meshes if there is anything else: they may
 /// be a whole hall, and what is measured small in it.
 SceneBounds bounds_of(const Scene& scene);
-/// The same with the meshes.
+/// The same without the axes.
+SceneBounds bounds_of_items(const Scene& scene);
+/// The first with the meshes.
 SceneBounds bounds_with_meshes(const Scene& scene);
 
 }  // namespace covaria

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "viz/scene/section.h"
+
 namespace covaria {
 
 std::optional<std::uint64_t> trial_at(const Scene& scene, const Camera& camera, PictureSize size, Pixel pixel,
@@ -16,7 +18,9 @@ std::optional<std::uint64_t> trial_at(const Scene& scene, const Camera& camera, 
             const Pixel at = project(camera, size, p_W);
             const double distance = std::hypot(at.x - pixel.x, at.y - pixel.y);
             const double behind = p_W.dot(camera.direction);
-            if (distance > nearest || (distance == nearest && found && behind >= depth)) continue;
+            if (is_cut_away(scene, p_W) || distance > nearest ||
+                (distance == nearest && found && behind >= depth))
+                continue;
             nearest = distance;
             depth = behind;
             found = cloud.trials[i];

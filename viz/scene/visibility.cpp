@@ -130,4 +130,21 @@ std::set<std::string> items_of_asset(const Scene& scene, const std::string& asse
     return ids;
 }
 
+std::optional<bool> shows_asset(const Scene& scene, const Scene& shown, const std::string& asset) {
+    const std::set<std::string> items = items_of_asset(scene, asset);
+    if (items.empty()) return {};
+    return std::ranges::any_of(items, [&](const std::string& id) { return find_item(shown, id) != nullptr; });
+}
+
+Visibility with_asset(Visibility visibility, const Scene& scene, const std::string& asset, bool shown) {
+    for (const std::string& id : items_of_asset(scene, asset)) {
+        if (!shown)
+            visibility.hidden.insert(id);
+        else
+            visibility.hidden.erase(id);
+    }
+    if (shown) visibility.only.clear();
+    return visibility;
+}
+
 }  // namespace covaria

@@ -1,6 +1,7 @@
 // The hidden part of a scene, and one thing shown alone.
 #pragma once
 
+#include <optional>
 #include <set>
 #include <string>
 
@@ -26,5 +27,9 @@ Scene visible_part(Scene scene, const Visibility& visibility);
 
 /// Ids of what stands in the set-up of an asset.
 std::set<std::string> items_of_asset(const Scene& scene, const std::string& asset);
+/// Whether any of them is in the shown part of a scene; empty: the asset has nothing in the scene.
+std::optional<bool> shows_asset(const Scene& scene, const Scene& shown, const std::string& asset);
+/// The same with all of them shown, or hidden.
+Visibility with_asset(Visibility visibility, const Scene& scene, const std::string& asset, bool shown);
 
 }  // namespace covaria

@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 
+#include "viz/scene/section.h"
 #include "viz/vtk/layer_actors.h"
 #include "viz/vtk/shapes.h"
 
@@ -79,14 +80,16 @@ void add_vectors(const Scene& scene, Parts& parts) {
 
 void add_lines(const Scene& scene, Parts& parts) {
     for (const SceneLink& link : scene.links) {
-        if (link.radius > 0) continue;
+        const auto left = left_of_line(scene, link.from, link.to);
+        if (link.radius > 0 || !left) continue;
+        const std::vector<Vector> line(left->begin(), left->end());
         const bool seeing = link.kind == LinkKind::sight_line || link.kind == LinkKind::field_of_view;
         const Colour colour = parts.colour(seeing ? Role::sight_line : Role::link);
         const double opacity = link.kind == LinkKind::field_of_view ? 0.5 * sight_opacity : sight_opacity;
         if (link.is_dashed)
-            parts.dashes.line({link.from, link.to}, colour, seeing ? opacity : 2 * sight_opacity);
+            parts.dashes.line(line, colour, seeing ? opacity : 2 * sight_opacity);
         else
-            parts.lines.line({link.from, link.to}, colour, seeing ? opacity : 1.0);
+            parts.lines.line(line, colour, seeing ? opacity : 1.0);
     }
 }
 

@@ -13,6 +13,7 @@
 
 #include "viz/scene/camera.h"
 #include "viz/vtk/palette.h"
+#include "viz/vtk/section_cut.h"
 #include "viz/vtk/shading.h"
 
 namespace covaria::detail {
@@ -47,16 +48,22 @@ public:
         double metres_per_pixel = 1.0;
         bool moving = false;
         PictureSize size = {};  ///< pixels in which the picture is drawn
+        std::optional<SectionPlane> section = {};
     };
-    /// Visibility, widths and walls for the next picture.
+    /// Visibility, widths, walls and the section for the next picture.
     void prepare(const View& view);
     const Eigen::Vector3d& origin() const { return origin_; }
 
 private:
     void rebuild(Layer layer, const Scene& scene, ScenePalette palette);
     vtkRenderer* renderer_;
+    void rebuild_caps(const Scene& scene);
+    void cut(Layer layer, const LayerActor& item) const;
+    void prepare(Layer layer, LayerActor& item, const View& view, const ShadingView& shading) const;
     Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
-    std::array<std::vector<LayerActor>, layer_count> actors_;
+    ScenePalette palette_ = ScenePalette::light;
+    SectionCut cut_;
+    std::array<std::vector<LayerActor>, layer_count> actors_, caps_;  ///< in the plane of the section
 };
 
 /// Guards the building of meshes, which uses objects that VTK and we share within the process.

@@ -167,4 +167,8 @@ Colour selection_colour(ScenePalette palette) {
     return palette == ScenePalette::light ? Colour{0xD8, 0x1B, 0x60} : Colour{0xFF, 0x6F, 0xA8};
 }
 
+Colour inside_colour(ScenePalette palette) {
+    return palette == ScenePalette::light ? Colour{0x8E, 0x97, 0xA1} : Colour{0x5F, 0x68, 0x72};
+}
+
 }  // namespace covaria::detail

@@ -25,5 +25,6 @@ Colour ground_colour(ScenePalette palette);
 Colour floor_colour(ScenePalette palette);      ///< floor under everything; it fades into the ground
 Colour grid_colour(ScenePalette palette);       ///< lines of the axes' walls
 Colour selection_colour(ScenePalette palette);  ///< ring around the selected item
+Colour inside_colour(ScenePalette palette);     ///< where a section has opened solids
 
 }  // namespace covaria::detail

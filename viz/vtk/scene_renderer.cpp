@@ -16,6 +16,7 @@
 #include "viz/scene/clear_corner.h"
 #include "viz/scene/framing.h"
 #include "viz/scene/pick.h"
+#include "viz/scene/section.h"
 #include "viz/vtk/layer_actors.h"
 #include "viz/vtk/offscreen_window.h"
 #include "viz/vtk/overlay.h"
@@ -41,6 +42,7 @@ struct SceneRenderer::Implementation {
     detail::OffscreenWindow window;  // after the renderer: destroyed first, with its context
     detail::TextMasks masks;
     Scene scene;
+    std::optional<Scene> marked;    // what a section leaves of it for words and marks
     std::optional<Scene> realised;  // the scene that the actors show
     ScenePalette palette = ScenePalette::light;
     ScenePalette realised_palette = ScenePalette::light;
@@ -145,7 +147,8 @@ void SceneRenderer::Implementation::aim(const Camera& looking, PictureSize drawn
                     scale * pixel_ratio(),
                     per_pixel,
                     moving,
-                    {static_cast<int>(scale) * drawn.width, static_cast<int>(scale) * drawn.height}});
+                    {static_cast<int>(scale) * drawn.width, static_cast<int>(scale) * drawn.height},
+                    scene.section});
     const SceneBounds bounds = bounds_with_meshes(scene);  // nothing is cut off
     const double radius = std::max(1e-9, (bounds.high - bounds.low).norm());
     const double middle = ((bounds.low + bounds.high) / 2 - looking.focal_point).dot(looking.direction);
@@ -200,7 +203,7 @@ Result<Image> SceneRenderer::Implementation::draw(RenderQuality quality) {
     const ScreenRect inset = add_inset(*image, quality);
     const detail::OverlayView view{camera,  layers,  palette,  pixel_ratio(), selected,
                                    pointed, measure, reserved, covered,       inset};
-    detail::Overlay(scene, view, *image, masks).paint();
+    detail::Overlay(marked ? *marked : scene, view, *image, masks).paint();
     return image;
 }
 
@@ -245,6 +248,8 @@ Result<void> SceneRenderer::open() {
 
 void SceneRenderer::set_scene(Scene scene) {
     implementation_->scene = std::move(scene);
+    implementation_->marked.reset();
+    if (implementation_->scene.section) implementation_->marked = left_by_section(implementation_->scene);
     if (!implementation_->camera_set && implementation_->scene.size > 0) set_view(StandardView::iso);
 }
 const Scene& SceneRenderer::scene() const {

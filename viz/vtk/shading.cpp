@@ -26,6 +26,7 @@ constexpr const char* clear = R"(//VTK::Light::Impl
   float gloss = 0.16 * pow(max(0.0, dot(normalVCVSOutput, halfway)), 12.0);
   float density = opacity * (1.0 + 0.5 * rim * rim + 0.5 * pow(rim, 6.0));
   gl_FragData[0] = vec4(diffuseColor * mix(0.92, 1.06, toSky) + vec3(gloss), min(1.0, density));
+  if (!gl_FrontFacing) gl_FragData[0] = vec4(diffuseColor, 0.6 * opacity);
 )";
 
 constexpr const char* begin_declared = "//VTK::PositionVC::Dec\nin vec4 begin;\nout vec2 beginOfLine;\n";
@@ -72,6 +73,7 @@ void set_view(vtkActor* actor, Surface surface, const ShadingView& view) {
         const float up[] = {static_cast<float>(view.up.x()), static_cast<float>(view.up.y()),
                             static_cast<float>(view.up.z())};
         uniforms->SetUniform3f("toTheSky", up);
+        if (surface == Surface::clear) actor->GetProperty()->SetBackfaceCulling(!view.is_cut);
     }
 }
 

@@ -20,6 +20,7 @@ void shade(vtkActor* actor, Surface surface);
 struct ShadingView {
     Eigen::Vector3d up = Eigen::Vector3d::UnitY();
     double width = 1.0, height = 1.0, pixels_per_point = 1.0;
+    bool is_cut = false;  ///< by a section: the far side of ellipsoids is seen through it
 };
 void set_view(vtkActor* actor, Surface surface, const ShadingView& view);
 
