@@ -86,7 +86,9 @@ ScenePanel::ScenePanel(AnalysisRunner& runner, QWidget* parent)
     picked_->hide();
     line_ = new QWidget(this);
     follow_font(*picked_, [this] { line_->setFixedHeight(picked_->fontMetrics().height() + 6); });
+    section_ = new SectionTool(*view_, this);
     column->addWidget(toolbar_);
+    column->addWidget(section_->bar());
     column->addWidget(view_, 1);
     column->addWidget(line_);
     column->addWidget(flat_, 1);
@@ -136,6 +138,7 @@ void ScenePanel::make_toolbar() {
     measuring_->add_to(*toolbar_);
     toolbar_->addSeparator();
     toolbar_->addWidget(layers_button(*view_, this));
+    section_->add_to(*toolbar_);
     magnification_ = new QComboBox(this);
     magnification_->setToolTip(tr("Magnification of the uncertainty; it is always written in the picture"));
     magnification_->setAccessibleName(tr("Magnification of the uncertainty"));
@@ -176,6 +179,7 @@ void ScenePanel::show_analysis(const QString& id) {
     drawn_magnification_.reset();
     measuring_->put_away();
     view_->set_visibility({});
+    section_->show_section_of(id);
     view_->forget_trial();
     say_nothing();
     refresh();
@@ -206,6 +210,7 @@ void ScenePanel::start_over() {
     say_nothing();
     view_->forget_trial();
     view_->start_over();
+    section_->start_over();
     drawn_magnification_.reset();
     refresh();
 }
@@ -286,14 +291,14 @@ void ScenePanel::build_scene() {
         shown_number_ = ++number_;
         if (analysis_.isEmpty()) return show_asset_alone();
         view_->set_empty_text(unprepared_words(status));
-        view_->show_scene(nullptr);
+        show_scene(nullptr);
         return;
     }
     const bool in_space = has_layout(*status.prepared->model, status.prepared->inputs);
     show_in_space(in_space);
     if (!in_space) {
         shown_number_ = ++number_;
-        view_->show_scene(nullptr);
+        show_scene(nullptr);
         std::vector<ModelEquation> equations = status.prepared->model->formulas();
         if (equations.empty()) equations = status.prepared->descriptor->equations;
         equations_->show_equations(to_qt(status.prepared->name), std::move(equations));
@@ -317,12 +322,18 @@ void ScenePanel::build_scene() {
         });
 }
 
+void ScenePanel::show_scene(std::shared_ptr<const Scene> scene) {
+    view_->show_scene(std::move(scene));
+    section_->take_scene();
+}
+
 /// The body of the selected asset, while there is no analysis to be shown.
 void ScenePanel::show_asset_alone() {
     const AssetLibrary::Entry* entry = runner_.made() ? runner_.made()->assets().find(asset_) : nullptr;
+    section_->show_section_of(QLatin1Char('/') + to_qt(asset_));
     auto scene = entry && entry->asset ? asset_scene(*entry->asset, options()) : std::nullopt;
     view_->set_empty_text(tr("Select an analysis in the project tree to see its layout here."));
-    view_->show_scene(scene ? std::make_shared<const Scene>(*std::move(scene)) : nullptr);
+    show_scene(scene ? std::make_shared<const Scene>(*std::move(scene)) : nullptr);
 }
 
 ResultPointer ScenePanel::shown_result(const AnalysisStatus& status) const {
@@ -382,14 +393,14 @@ void ScenePanel::take_scene(quint64 number, const std::shared_ptr<Result<Scene>>
     shown_number_ = number;
     if (*scene) {
         if (draws_uncertainty(**scene)) drawn_magnification_ = (*scene)->magnification;
-        view_->show_scene(std::make_shared<const Scene>(std::move(**scene)));
+        show_scene(std::make_shared<const Scene>(std::move(**scene)));
         measuring_->set_result(result);
         view_->forget_trial();
         if (!show_source()) describe_item(view_->selected());
         return;
     }
     view_->set_empty_text(to_qt(scene->error().message));
-    view_->show_scene(nullptr);
+    show_scene(nullptr);
 }
 
 void ScenePanel::show_item(const QString& id) {

@@ -13,6 +13,7 @@
 #include "ui/scene_view/equations_view.h"
 #include "ui/scene_view/measure_tool.h"
 #include "ui/scene_view/scene_view.h"
+#include "ui/scene_view/section_tool.h"
 #include "viz/scene/build_scene.h"
 #include "viz/scene/design_scene.h"
 #include "viz/scene/study_scene.h"
@@ -63,6 +64,7 @@ public:
 
     SceneView& view() { return *view_; }
     MeasureTool& measuring() { return *measuring_; }
+    SectionTool& section() { return *section_; }
     bool is_building() const { return refresh_due_ || building_ > 0; }
 
 signals:
@@ -80,6 +82,7 @@ private:
     void refresh();
     void build_scene();
     void show_asset_alone();
+    void show_scene(std::shared_ptr<const Scene> scene);
     std::function<Result<Scene>()> scene_to_build(const AnalysisStatus& status) const;
     void give_equations_room();
     void show_in_space(bool in_space);
@@ -123,6 +126,7 @@ private:
     QSplitter* flat_ = nullptr;  ///< the equations and what is below them
     QWidget* below_ = nullptr;
     MeasureTool* measuring_ = nullptr;
+    SectionTool* section_ = nullptr;
     QWidget* line_ = nullptr;  ///< below the picture, for what is said of it
     QLabel* picked_ = nullptr;
     std::atomic<quint64> number_ = 0;

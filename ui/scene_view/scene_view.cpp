@@ -85,30 +85,25 @@ void SceneView::show_all() {
 }
 
 std::optional<bool> SceneView::shows_asset(const QString& asset) const {
-    const std::set<std::string> items =
-        whole_ ? items_of_asset(*whole_, to_std(asset)) : std::set<std::string>();
-    if (items.empty()) return {};
-    return std::ranges::any_of(items,
-                               [this](const std::string& id) { return find_item(*scene_, id) != nullptr; });
+    return whole_ ? covaria::shows_asset(*whole_, *scene_, to_std(asset)) : std::nullopt;
 }
 
 void SceneView::show_asset(const QString& asset, bool shown) {
-    if (!whole_) return;
-    Visibility visibility = visibility_;
-    for (const std::string& id : items_of_asset(*whole_, to_std(asset))) {
-        if (!shown)
-            visibility.hidden.insert(id);
-        else
-            visibility.hidden.erase(id);
-    }
-    if (shown) visibility.only.clear();
-    set_visibility(visibility);
+    if (whole_) set_visibility(with_asset(visibility_, *whole_, to_std(asset), shown));
 }
 
-void SceneView::send_scene() {
-    scene_ = whole_ && !visibility_.shows_all()
-                 ? std::make_shared<const Scene>(visible_part(*whole_, visibility_))
-                 : whole_;
+void SceneView::set_section(const std::optional<SectionPlane>& section, bool moving) {
+    if (std::exchange(section_, section) != section)
+        send_scene(moving ? RenderQuality::moving : RenderQuality::full);
+}
+
+void SceneView::send_scene(RenderQuality quality) {
+    scene_ = whole_;
+    if (whole_ && (section_ || !visibility_.shows_all())) {
+        Scene shown = visible_part(*whole_, visibility_);
+        shown.section = section_;
+        scene_ = std::make_shared<const Scene>(std::move(shown));
+    }
     if (scene_)
         service_.post(
             [shown = scene_, needs_fit = framing_.next(scene_, framed_, moved_.has_value()),
@@ -121,7 +116,7 @@ void SceneView::send_scene() {
                 else if (needs_fit(renderer.camera(), renderer.size()))
                     renderer.fit();
             },
-            moved_ ? RenderQuality::moving : RenderQuality::full);
+            moved_ ? RenderQuality::moving : quality);
     update();
 }
 

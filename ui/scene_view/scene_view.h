@@ -37,9 +37,12 @@ public:
     void set_visibility(const Visibility& visibility);
     void show_all();  ///< in the picture, where one thing was framed
     const Visibility& visibility() const { return visibility_; }
+    const Camera& camera() const { return camera_; }  ///< of the picture
     /// Whether any item from the set-up of an asset is shown; empty: it has nothing in the scene.
     std::optional<bool> shows_asset(const QString& asset) const;
     void show_asset(const QString& asset, bool shown);
+    /// Cuts the scene at a plane; without one it is whole. `moving`: another one follows soon.
+    void set_section(const std::optional<SectionPlane>& section, bool moving = false);
     void set_palette_kind(ScenePalette palette);
     void set_layers(const LayerVisibility& layers);
     void set_view(StandardView view);
@@ -59,6 +62,7 @@ public:
     bool is_dragging() const { return moved_ && dragged_; }
     /// A click picks a place and moves nothing while a tool asks for places.
     void set_picks_places(bool picks);
+    bool picks_places() const { return picks_places_; }
     void set_measure(MeasureMark mark);
     /// px at its foot that words lie over: caption and scale bar stand above them.
     void set_covered(int height);
@@ -115,7 +119,7 @@ private:
     static constexpr double length_of_arrow = 58.0;   ///< px, of the arrow that moves an item along an axis
     void send_size();
     void end_press();
-    void send_scene();
+    void send_scene(RenderQuality quality = RenderQuality::full);
     void take_image(const QImage& image, const Camera& camera);
     void hide_item(const QString& item_id);
     /// Asks for the coordinates of an item that a set-up states; false: none does.
@@ -152,8 +156,9 @@ private:
     void finish_save(const QImage& image);
 
     std::shared_ptr<const Scene> whole_;
-    std::shared_ptr<const Scene> scene_;  ///< the part of `whole_` that is shown
+    std::shared_ptr<const Scene> scene_;  ///< the part of `whole_` that is shown, with its section
     Visibility visibility_;
+    std::optional<SectionPlane> section_;
     std::optional<StandardView> pointed_;  ///< face of the cube under the pointer
     QImage image_;
     Camera camera_;  ///< the camera of the image

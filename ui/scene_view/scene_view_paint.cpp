@@ -8,6 +8,7 @@
 #include "ui/scene_view/view_cube_painter.h"
 #include "ui/scene_view/visibility_note.h"
 #include "ui/theme/strings.h"
+#include "viz/scene/section.h"
 
 namespace covaria::ui {
 namespace {
@@ -59,6 +60,7 @@ void SceneView::paint_trial(QPainter& painter, std::uint64_t trial) const {
         const auto found = std::find(cloud.trials.begin(), cloud.trials.end(), trial);
         if (found == cloud.trials.end()) continue;
         const auto dot = static_cast<std::size_t>(found - cloud.trials.begin());
+        if (is_cut_away(*scene_, cloud.dot(dot))) continue;
         const Pixel at = project(camera_, picture_size(), cloud.dot(dot));
         const QPointF middle(at.x / ratio, at.y / ratio);
         for (const auto& [role, width] : {std::pair(QPalette::Base, 4.0), std::pair(QPalette::Text, 1.6)}) {
