@@ -14,6 +14,7 @@
 #include "viz/scene/context_meshes.h"
 #include "viz/scene/design_scene.h"
 #include "viz/scene/saved_camera.h"
+#include "viz/scene/section.h"
 #include "viz/scene/study_scene.h"
 #include "viz/vtk/scene_file.h"
 #include "viz/vtk/scene_renderer.h"
@@ -90,6 +91,13 @@ Result<void> write_scene(const Scene& scene, SceneFormat format, bool dark,
     return {};
 }
 
+void take_section(const PictureRequest& request, Scene& scene) {
+    if (!request.section) return;
+    SectionPlane plane = request.section->plane;
+    if (request.section->in_middle) plane.at = middle_section(scene, plane.axis, {}).at;
+    scene.section = plane;
+}
+
 void look(SceneRenderer& renderer, const PictureRequest& request) {
     if (request.saved) {
         renderer.set_camera(camera_of(*request.saved, {request.width, request.height}));
@@ -138,10 +146,13 @@ Result<void> write_picture(const EvaluatedAnalysis& evaluated, const PictureRequ
     auto scene = scene_of(evaluated, request);
     if (!scene) return fail(scene.error());
     if (request.saved) scene = visible_part(*std::move(scene), visibility_of(*request.saved));
+    if (format && request.section)
+        return fail(ErrorCode::usage, "a section is one of a picture: write it as PNG (-o FILE.png)");
     if (format) return write_scene(*scene, *format, request.dark, file);
     SceneRenderer renderer;
     renderer.set_size(request.width, request.height);
     renderer.set_palette(request.dark ? ScenePalette::dark : ScenePalette::light);
+    take_section(request, *scene);
     renderer.set_scene(std::move(*scene));
     look(renderer, request);
     return render_to(renderer, file, pixels > most_fine_pixels ? RenderQuality::full : RenderQuality::fine);

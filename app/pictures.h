@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/evaluation.h"
+#include "app/section_option.h"
 #include "core/project/saved_view.h"
 #include "core/result_files/results_json.h"
 #include "viz/scene/scene.h"
@@ -23,6 +24,7 @@ struct PictureRequest {
     std::string view = "iso";
     std::optional<SavedView> saved = {};   ///< in place of the standard view
     std::optional<bool> perspective = {};  ///< empty: as saved, else orthographic
+    std::optional<WantedSection> section = {};
     int width = 1280;
     int height = 800;
     bool dark = false;

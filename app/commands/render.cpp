@@ -7,6 +7,7 @@
 #include "app/examples_of_command.h"
 #include "app/exit_status.h"
 #include "app/pictures.h"
+#include "app/section_option.h"
 #include "app/terminal.h"
 #include "core/project/stated_requirements.h"
 #include "viz/scene/camera.h"
@@ -72,6 +73,8 @@ Command render_command(CLI::App& app) {
                  {{"render projects/stewart-platform.covaria --group \"pose 13\" --view top -o top.png"},
                   {"render projects/lsm-network.covaria --trials 2e4 --width 1600 --height 1000 --dark -o "
                    "network.png"},
+                  {"render projects/stewart-platform.covaria --section -y=0 --view front -o half.png",
+                   "half of it, cut at y = 0"},
                   {"render projects/stewart-platform.covaria --trials 2e4 -o scene.gltf",
                    "the scene itself, for viewers"}});
     add_run_options(*command, arguments->request);
@@ -106,6 +109,7 @@ Command render_command(CLI::App& app) {
             "iso, top, front, right, bottom, back, left, or the name of a view saved with the analysis")
         ->type_name("NAME")
         ->capture_default_str();
+    add_section_option(*command, picture.section);
     command->add_option("--width", picture.width, "pixels")
         ->check(CLI::Range(64, 16384))
         ->capture_default_str();

@@ -283,6 +283,32 @@ TEST(CommandLine, RenderDrawsASavedView) {
     EXPECT_EQ(run_program({"render", project.string(), "--perspective", "--orthographic"}).status, 2);
 }
 
+TEST(CommandLine, RenderCutsTheSceneOpen) {
+    const fs::path folder = fresh_folder("render-section");
+    const auto render = [&](const std::vector<std::string>& words) {
+        const fs::path file = folder / "section.png";
+        std::vector<std::string> all = {"render", stewart,    "--trials", "2000", "--width",
+                                        "640",    "--height", "400",      "-o",   file.string()};
+        all.insert(all.end(), words.begin(), words.end());
+        const Outcome run = run_program(all);
+        EXPECT_EQ(run.status, 0) << run.err;
+        return read_text(file);
+    };
+    const std::string whole = render({}), cut = render({"--section", "x=0.05"});
+    EXPECT_NE(whole, cut);
+    EXPECT_EQ(cut, render({"--section", "x = 50 mm"}));
+    EXPECT_NE(cut, render({"--section", "-x=0.05"})) << "the other side";
+    EXPECT_NE(whole, render({"--section", "z"})) << "in the middle";
+    for (const char* wrong : {"w=1", "x=", "x=1kg", "x=much", "=1", ""}) {
+        const Outcome refused = run_program({"render", stewart, "--section", wrong});
+        EXPECT_EQ(refused.status, 2) << wrong;
+        EXPECT_NE(refused.err.find("-y=250mm"), std::string::npos) << refused.err;
+    }
+    const std::string file = (folder / "scene.gltf").string();
+    EXPECT_NE(run_program({"render", stewart, "--section", "x", "-o", file}).status, 0);
+    EXPECT_FALSE(fs::exists(file));
+}
+
 TEST(CommandLine, RenderDrawsWhatADesignHasFound) {
     const fs::path folder = fresh_folder("render-design");
     const std::string ballbars = shipped_project("ballbar-design.covaria").string();
