@@ -24846,6 +24846,68 @@ Verwendet von: %1. Dort steht ein Fehler, bis etwas anderes verwendet wird.</tra
     </message>
 </context>
 <context>
+    <name>covaria::ui::SectionBar</name>
+    <message>
+        <source>Section</source>
+        <translation>Schnitt</translation>
+    </message>
+    <message>
+        <source>In the picture Shift+wheel, Page Up and Page Down move the section, with Shift in fine steps; Esc ends it</source>
+        <translation>Im Bild bewegen Umschalt+Rad, Bild auf und Bild ab den Schnitt, mit Umschalt in feinen Schritten; Esc beendet ihn</translation>
+    </message>
+    <message>
+        <source>Position of the section</source>
+        <translation>Lage des Schnitts</translation>
+    </message>
+    <message>
+        <source>Section across %1</source>
+        <translation>Schnitt quer zu %1</translation>
+    </message>
+    <message>
+        <source>Where the plane is; a number without a unit is in %1</source>
+        <translation>Wo die Ebene liegt; eine Zahl ohne Einheit ist in %1</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::SectionTool</name>
+    <message>
+        <source>Section</source>
+        <translation>Schnitt</translation>
+    </message>
+    <message>
+        <source>Section: cut away what lies before a plane (S)</source>
+        <translation>Schnitt: schneidet weg, was vor einer Ebene liegt (S)</translation>
+    </message>
+    <message>
+        <source>Flip Side</source>
+        <translation>Seite wechseln</translation>
+    </message>
+    <message>
+        <source>Cut away the other side (Shift+S)</source>
+        <translation>Schneidet die andere Seite weg (Umschalt+S)</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>Aus</translation>
+    </message>
+    <message>
+        <source>The scene is whole again (Esc)</source>
+        <translation>Die Szene ist wieder ganz (Esc)</translation>
+    </message>
+    <message>
+        <source>Across x</source>
+        <translation>Quer zu x</translation>
+    </message>
+    <message>
+        <source>Across y</source>
+        <translation>Quer zu y</translation>
+    </message>
+    <message>
+        <source>Across z</source>
+        <translation>Quer zu z</translation>
+    </message>
+</context>
+<context>
     <name>covaria::ui::SeenTab</name>
     <message>
         <source>seen</source>

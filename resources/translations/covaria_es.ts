@@ -24846,6 +24846,68 @@ Lo usan: %1. Tendrán un error hasta que usen otra cosa.</translation>
     </message>
 </context>
 <context>
+    <name>covaria::ui::SectionBar</name>
+    <message>
+        <source>Section</source>
+        <translation>Corte</translation>
+    </message>
+    <message>
+        <source>In the picture Shift+wheel, Page Up and Page Down move the section, with Shift in fine steps; Esc ends it</source>
+        <translation>En la imagen, Mayús+rueda, Re Pág y Av Pág mueven el corte, con Mayús en pasos finos; Esc lo termina</translation>
+    </message>
+    <message>
+        <source>Position of the section</source>
+        <translation>Posición del corte</translation>
+    </message>
+    <message>
+        <source>Section across %1</source>
+        <translation>Corte perpendicular a %1</translation>
+    </message>
+    <message>
+        <source>Where the plane is; a number without a unit is in %1</source>
+        <translation>Dónde está el plano; un número sin unidad está en %1</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::SectionTool</name>
+    <message>
+        <source>Section</source>
+        <translation>Corte</translation>
+    </message>
+    <message>
+        <source>Section: cut away what lies before a plane (S)</source>
+        <translation>Corte: quita lo que está delante de un plano (S)</translation>
+    </message>
+    <message>
+        <source>Flip Side</source>
+        <translation>Cambiar de lado</translation>
+    </message>
+    <message>
+        <source>Cut away the other side (Shift+S)</source>
+        <translation>Quita el otro lado (Mayús+S)</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>Sin corte</translation>
+    </message>
+    <message>
+        <source>The scene is whole again (Esc)</source>
+        <translation>La escena vuelve a estar entera (Esc)</translation>
+    </message>
+    <message>
+        <source>Across x</source>
+        <translation>Perpendicular a x</translation>
+    </message>
+    <message>
+        <source>Across y</source>
+        <translation>Perpendicular a y</translation>
+    </message>
+    <message>
+        <source>Across z</source>
+        <translation>Perpendicular a z</translation>
+    </message>
+</context>
+<context>
     <name>covaria::ui::SeenTab</name>
     <message>
         <source>seen</source>

@@ -24842,6 +24842,68 @@ It is used by: %1. They will have an error until they use something else.</sourc
     </message>
 </context>
 <context>
+    <name>covaria::ui::SectionBar</name>
+    <message>
+        <source>Section</source>
+        <translation>단면</translation>
+    </message>
+    <message>
+        <source>In the picture Shift+wheel, Page Up and Page Down move the section, with Shift in fine steps; Esc ends it</source>
+        <translation>그림에서 Shift+휠, Page Up, Page Down으로 단면을 옮깁니다. Shift와 함께면 미세하게, Esc로 끝냅니다</translation>
+    </message>
+    <message>
+        <source>Position of the section</source>
+        <translation>단면의 위치</translation>
+    </message>
+    <message>
+        <source>Section across %1</source>
+        <translation>%1에 수직인 단면</translation>
+    </message>
+    <message>
+        <source>Where the plane is; a number without a unit is in %1</source>
+        <translation>평면의 위치. 단위가 없는 숫자는 %1 단위입니다</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::SectionTool</name>
+    <message>
+        <source>Section</source>
+        <translation>단면</translation>
+    </message>
+    <message>
+        <source>Section: cut away what lies before a plane (S)</source>
+        <translation>단면: 평면 앞에 있는 것을 잘라 냅니다 (S)</translation>
+    </message>
+    <message>
+        <source>Flip Side</source>
+        <translation>반대쪽</translation>
+    </message>
+    <message>
+        <source>Cut away the other side (Shift+S)</source>
+        <translation>다른 쪽을 잘라 냅니다 (Shift+S)</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>끄기</translation>
+    </message>
+    <message>
+        <source>The scene is whole again (Esc)</source>
+        <translation>장면이 다시 온전해집니다 (Esc)</translation>
+    </message>
+    <message>
+        <source>Across x</source>
+        <translation>x에 수직</translation>
+    </message>
+    <message>
+        <source>Across y</source>
+        <translation>y에 수직</translation>
+    </message>
+    <message>
+        <source>Across z</source>
+        <translation>z에 수직</translation>
+    </message>
+</context>
+<context>
     <name>covaria::ui::SeenTab</name>
     <message>
         <source>seen</source>

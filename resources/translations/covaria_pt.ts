@@ -24846,6 +24846,68 @@ It is used by: %1. They will have an error until they use something else.</sourc
     </message>
 </context>
 <context>
+    <name>covaria::ui::SectionBar</name>
+    <message>
+        <source>Section</source>
+        <translation>Corte</translation>
+    </message>
+    <message>
+        <source>In the picture Shift+wheel, Page Up and Page Down move the section, with Shift in fine steps; Esc ends it</source>
+        <translation>Na imagem, Shift+roda, Page Up e Page Down movem o corte, com Shift em passos finos; Esc o termina</translation>
+    </message>
+    <message>
+        <source>Position of the section</source>
+        <translation>Posição do corte</translation>
+    </message>
+    <message>
+        <source>Section across %1</source>
+        <translation>Corte perpendicular a %1</translation>
+    </message>
+    <message>
+        <source>Where the plane is; a number without a unit is in %1</source>
+        <translation>Onde está o plano; um número sem unidade está em %1</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::SectionTool</name>
+    <message>
+        <source>Section</source>
+        <translation>Corte</translation>
+    </message>
+    <message>
+        <source>Section: cut away what lies before a plane (S)</source>
+        <translation>Corte: retira o que está antes de um plano (S)</translation>
+    </message>
+    <message>
+        <source>Flip Side</source>
+        <translation>Trocar de lado</translation>
+    </message>
+    <message>
+        <source>Cut away the other side (Shift+S)</source>
+        <translation>Retira o outro lado (Shift+S)</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>Sem corte</translation>
+    </message>
+    <message>
+        <source>The scene is whole again (Esc)</source>
+        <translation>A cena volta a ficar inteira (Esc)</translation>
+    </message>
+    <message>
+        <source>Across x</source>
+        <translation>Perpendicular a x</translation>
+    </message>
+    <message>
+        <source>Across y</source>
+        <translation>Perpendicular a y</translation>
+    </message>
+    <message>
+        <source>Across z</source>
+        <translation>Perpendicular a z</translation>
+    </message>
+</context>
+<context>
     <name>covaria::ui::SeenTab</name>
     <message>
         <source>seen</source>

@@ -24842,6 +24842,68 @@ It is used by: %1. They will have an error until they use something else.</sourc
     </message>
 </context>
 <context>
+    <name>covaria::ui::SectionBar</name>
+    <message>
+        <source>Section</source>
+        <translation>剖切</translation>
+    </message>
+    <message>
+        <source>In the picture Shift+wheel, Page Up and Page Down move the section, with Shift in fine steps; Esc ends it</source>
+        <translation>在图中用 Shift+滚轮、Page Up 和 Page Down 移动剖切面，按 Shift 为微调；Esc 结束</translation>
+    </message>
+    <message>
+        <source>Position of the section</source>
+        <translation>剖切面的位置</translation>
+    </message>
+    <message>
+        <source>Section across %1</source>
+        <translation>垂直于 %1 的剖切</translation>
+    </message>
+    <message>
+        <source>Where the plane is; a number without a unit is in %1</source>
+        <translation>平面的位置；不带单位的数字以 %1 为单位</translation>
+    </message>
+</context>
+<context>
+    <name>covaria::ui::SectionTool</name>
+    <message>
+        <source>Section</source>
+        <translation>剖切</translation>
+    </message>
+    <message>
+        <source>Section: cut away what lies before a plane (S)</source>
+        <translation>剖切：切去平面之前的部分 (S)</translation>
+    </message>
+    <message>
+        <source>Flip Side</source>
+        <translation>换边</translation>
+    </message>
+    <message>
+        <source>Cut away the other side (Shift+S)</source>
+        <translation>切去另一侧 (Shift+S)</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>The scene is whole again (Esc)</source>
+        <translation>场景恢复完整 (Esc)</translation>
+    </message>
+    <message>
+        <source>Across x</source>
+        <translation>垂直于 x</translation>
+    </message>
+    <message>
+        <source>Across y</source>
+        <translation>垂直于 y</translation>
+    </message>
+    <message>
+        <source>Across z</source>
+        <translation>垂直于 z</translation>
+    </message>
+</context>
+<context>
     <name>covaria::ui::SeenTab</name>
     <message>
         <source>seen</source>

@@ -67,8 +67,7 @@ std::vector<LayerActor> floor_actors(const Scene& scene, const Eigen::Vector3d& 
     made.actor->SetTexture(texture_of(shadow, palette));
     made.actor->GetProperty()->LightingOff();
     made.actor->GetProperty()->BackfaceCullingOn();  // from below it hides nothing
-    made.actor
-        ->ForceTranslucentOn();  // a plane has no part in the occlusion of bodies, which would mottle it
+    made.is_floor = true;
     return {made};
 }
 

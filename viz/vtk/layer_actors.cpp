@@ -137,6 +137,10 @@ void LayerActors::prepare(Layer layer, LayerActor& item, const View& view, const
     if (item.point_size > 0)
         property->SetPointSize(static_cast<float>(std::max(1.0, item.point_size * view.ratio)));
     if (item.cloud_points > 0) property->SetOpacity(cloud_opacity(item, view));
+    if (item.is_floor) {
+        item.actor->SetForceOpaque(view.moving);
+        item.actor->SetForceTranslucent(!view.moving);
+    }
     cut(layer, item);
     if (item.surface) set_view(item.actor, *item.surface, shading);
     if (item.wall_normal < 0) return;

@@ -33,6 +33,9 @@ struct LayerActor {
     double wall_shift = 0.0;
     enum class Shown { always, still, moving } shown = Shown::always;  ///< thinned twins of clouds
     std::optional<Surface> surface = {};                               ///< its shaders follow the camera
+    /// The floor: a plane has no part in the occlusion of bodies, which would mottle it, so it is drawn with
+    /// what is translucent. Where that is unsorted it would lie over all bodies.
+    bool is_floor = false;
 };
 
 class LayerActors {

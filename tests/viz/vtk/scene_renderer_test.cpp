@@ -256,6 +256,15 @@ TEST(SceneRenderer, EverySizeFillsThePicture) {
     }
 }
 
+TEST(SceneRenderer, SolidsStandBeforeTheFloorWhileTheCameraMoves) {
+    SceneOptions options;
+    options.clouds = options.ellipsoids = options.labels = options.wall_histograms = false;
+    StewartRenderer renderer(StandardView::iso, stewart(10, options));
+    const Image still = picture(renderer), moving = picture(renderer, RenderQuality::moving);
+    EXPECT_LT(test::difference(still, moving).fraction, 0.01)
+        << test::left_picture(still, "solids-still") << test::left_picture(moving, "solids-moving");
+}
+
 TEST(SceneRenderer, DegenerateEllipsoidsAreDrawn) {
     auto setup = test::stewart_setup(0);
     setup.result.covariance.set(2, 0.0);
