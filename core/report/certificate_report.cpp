@@ -171,7 +171,23 @@ void add_results_of(Blocks& blocks, const ReportSource& source, const std::vecto
         add_certified_results(blocks, one, in);
     }
     add_left_out(blocks, source, shown, in);
-    add_uncertainty_statement(blocks, shown, in);
+}
+
+/// Those of the analyses that are shown of which a U is stated as it was evaluated.
+std::vector<EvaluatedAnalysis> as_evaluated(const MadeProject& made,
+                                            const std::vector<EvaluatedAnalysis>& evaluated,
+                                            const std::vector<EvaluatedAnalysis>& shown) {
+    std::vector<EvaluatedAnalysis> some = shown;
+    for (const EvaluatedAnalysis& one : evaluated) {
+        const auto findings = capability_findings(made, *one.result);
+        const bool is_all_raised = std::ranges::all_of(findings, [](const CapabilityFinding& finding) {
+            return finding.verdict == CapabilityVerdict::raised;
+        });
+        if (!findings.empty() && is_all_raised && findings.size() == measurand_count(one))
+            std::erase_if(
+                some, [&](const EvaluatedAnalysis& other) { return other.analysis->id == one.analysis->id; });
+    }
+    return some;
 }
 
 /// Says which U is the laboratory's capability in place of the evaluated one, and what is outside its scope,
@@ -182,7 +198,7 @@ void add_capability_notes(Blocks& blocks, const MadeProject& made,
     for (const EvaluatedAnalysis& one : evaluated) {
         if (!is_among(one, shown)) continue;
         for (const CapabilityFinding& finding : capability_findings(made, *one.result))
-            blocks.push_back(ParagraphBlock{in.say(finding.words) + "."});
+            blocks.push_back(ParagraphBlock{in.say(finding.for_customers) + "."});
     }
 }
 
@@ -243,6 +259,7 @@ ReportDocument build_certificate(const MadeProject& made, const std::vector<Eval
     if (!released && !review.facts.empty()) document.blocks.push_back(review);
     add_administration(document.blocks, certificate, !conformity.empty(), in);
     add_results_of(document.blocks, source, shown, in);
+    add_uncertainty_statement(document.blocks, as_evaluated(made, analyses, shown), in);
     add_capability_notes(document.blocks, made, analyses, shown, in);
     document.blocks.insert(document.blocks.end(), conformity.begin(), conformity.end());
     add_changes(document.blocks, source, shown, in);

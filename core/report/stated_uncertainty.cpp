@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "core/kinds/registries.h"
 #include "core/model/best_capability.h"
 #include "core/text/numbers.h"
 #include "core/text/readable_unit.h"
@@ -19,12 +20,27 @@ struct NamedCapability {
     const BestCapability* capability;
 };
 
-std::vector<NamedCapability> capabilities_of(const MadeProject& made) {
-    std::vector<NamedCapability> found;
+/// Name of an asset of the laboratory that has errors, so that nobody knows what may be stated; empty: none.
+std::string unknown_capability(const MadeProject& made) {
+    for (const AssetEntry& asset : made.project().assets) {
+        const AssetDescriptor* kind = find_asset_kind(asset.kind);
+        if (kind && kind->category == AssetCategory::laboratory && !made.assets().find(asset.id))
+            return asset.name.empty() ? asset.id : asset.name;
+    }
+    return {};
+}
+
+struct Capabilities {
+    std::string unknown;  ///< one that has errors
+    std::vector<NamedCapability> known;
+};
+
+Capabilities capabilities_of(const MadeProject& made) {
+    Capabilities found{unknown_capability(made), {}};
     for (const AssetEntry& asset : made.project().assets) {
         const AssetLibrary::Entry* entry = made.assets().find(asset.id);
         if (const auto* capability = entry ? offers<BestCapability>(entry->asset) : nullptr)
-            found.push_back({asset.name, capability});
+            found.known.push_back({asset.name, capability});
     }
     return found;
 }
@@ -48,12 +64,18 @@ std::string in_words(double U, const Unit& usual) {
     return format_significant(unit.interval_from_si(U), 2) + " " + unit.text();
 }
 
-std::optional<CapabilityFinding> finding_of(const std::vector<NamedCapability>& capabilities,
-                                            const UncertaintyResult& result, std::size_t i) {
+std::optional<CapabilityFinding> finding_of(const Capabilities& capabilities, const UncertaintyResult& result,
+                                            std::size_t i) {
     const OutputResult& output = result.outputs[i];
-    if (capabilities.empty() || !result_words::is_measurand(output)) return std::nullopt;
+    if (!result_words::is_measurand(output)) return std::nullopt;
     const Message name = result_words::output_label(output.quantity);
-    for (const auto& [of, capability] : capabilities) {
+    if (!capabilities.unknown.empty()) {
+        const Message words =
+            tell<"%1 has errors: it is not known which U may be stated for %2">(capabilities.unknown, name);
+        return CapabilityFinding{i, CapabilityVerdict::refused, 0.0, words, words};
+    }
+    if (capabilities.known.empty()) return std::nullopt;
+    for (const auto& [of, capability] : capabilities.known) {
         if (!capability->is_about(output.quantity)) continue;
         const auto value = deciding_value(*capability, result, output);
         const auto smallest = value ? capability->smallest(*value) : std::nullopt;
@@ -66,14 +88,28 @@ std::optional<CapabilityFinding> finding_of(const std::vector<NamedCapability>& 
             return CapabilityFinding{
                 i, CapabilityVerdict::raised, *smallest,
                 tell<"U of %1, %2, is below the best capability (%4): certificates state %3">(name, U, least,
-                                                                                              of)};
+                                                                                              of),
+                tell<"U of %1 is the best measurement capability of the laboratory, with k = 2">(name)};
         return CapabilityFinding{
             i, CapabilityVerdict::refused, *smallest,
             tell<"U of %1, %2, is below the best capability of %3 (%4): it may not be stated">(name, U, least,
-                                                                                               of)};
+                                                                                               of),
+            tell<"%1 is not stated: U is below the best measurement capability of the laboratory">(name)};
     }
-    return CapabilityFinding{i, CapabilityVerdict::outside, 0.0,
-                             tell<"%1 is outside the scope: the laboratory has no capability for it">(name)};
+    const Message outside = tell<"%1 is outside the scope: the laboratory has no capability for it">(name);
+    return CapabilityFinding{i, CapabilityVerdict::outside, 0.0, outside, outside};
+}
+
+/// A best capability is stated for k = 2 and about 95 % (ILAC-P14), not for the distribution that was
+/// evaluated.
+void state(OutputResult& output, double U) {
+    constexpr double k = 2.0;
+    output.monte_carlo.reset();
+    FirstOrderOutput& first = output.first_order;
+    output.standard_uncertainty = first.standard_uncertainty = U / k;
+    output.coverage_factor = first.coverage_factor = k;
+    output.expanded_uncertainty = first.expanded_uncertainty = U;
+    first.effective_degrees_of_freedom = infinity;
 }
 
 }  // namespace
@@ -84,7 +120,7 @@ std::optional<CapabilityFinding> capability_finding(const MadeProject& made, con
 }
 
 std::vector<CapabilityFinding> capability_findings(const MadeProject& made, const UncertaintyResult& result) {
-    const std::vector<NamedCapability> capabilities = capabilities_of(made);
+    const Capabilities capabilities = capabilities_of(made);
     std::vector<CapabilityFinding> found;
     for (std::size_t i = 0; i < result.outputs.size(); ++i)
         if (auto finding = finding_of(capabilities, result, i)) found.push_back(*std::move(finding));
@@ -98,7 +134,7 @@ std::vector<EvaluatedAnalysis> as_stated(const MadeProject& made, std::vector<Ev
         auto stated = std::make_shared<UncertaintyResult>(*one.result);
         for (const CapabilityFinding& finding : findings) {
             OutputResult& output = stated->outputs[finding.output];
-            if (finding.verdict == CapabilityVerdict::raised) output.expanded_uncertainty = finding.smallest;
+            if (finding.verdict == CapabilityVerdict::raised) state(output, finding.smallest);
             if (finding.verdict == CapabilityVerdict::refused)
                 output.quantity.role = OutputRole::intermediate;
         }

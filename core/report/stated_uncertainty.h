@@ -20,6 +20,7 @@ struct CapabilityFinding {
     CapabilityVerdict verdict = CapabilityVerdict::outside;
     double smallest = 0.0;  ///< smallest U that may be stated (SI); nothing is known of it outside
     Message words = {};     ///< finding in words: "U of L, 31 nm, is below the capability of 50 nm (...)"
+    Message for_customers = {};  ///< the same as a certificate says it
 };
 
 /// The finding for one output; none where its U may be stated, it is no measurand, or the project has no

@@ -39,10 +39,13 @@ TEST(Capability, ARaisedUIsInTheCertificateAndNotInTheReport) {
     const Outcome certificate =
         run_with(capability("100", "raised"), {"report", "--certificate", "-o", "OUT"});
     EXPECT_EQ(certificate.status, 0) << certificate.err;
-    EXPECT_TRUE(has(certificate.out, "certificates state 80 nm")) << certificate.out;
+    EXPECT_TRUE(has(certificate.out, "best measurement capability of the laboratory, with k = 2"))
+        << certificate.out;
+    EXPECT_TRUE(has(certificate.out, "k = 2.00, p = 95")) << certificate.out;
+    EXPECT_FALSE(has(certificate.out, "half the width")) << "that is not how this U came about";
     EXPECT_TRUE(has(certificate.err, "below the best capability")) << certificate.err;
     const Outcome report = run_with(capability("100", "raised"), {"report", "-o", "OUT"});
-    EXPECT_FALSE(has(report.out, "certificates state 80 nm"));
+    EXPECT_FALSE(has(report.out, "best measurement capability of the laboratory"));
     const Outcome check = run_with(capability("100", "raised"), {"check"});
     EXPECT_FALSE(has(check.out, "best capability")) << check.out;
 }

@@ -94,8 +94,10 @@ TEST_F(BestCapabilityTest, ASmallerUIsRaisedToItInTheCertificateAlone) {
     EXPECT_TRUE(states_conformity());
     EXPECT_NEAR(as_stated(*made_, evaluated_).front().result->outputs.front().expanded_uncertainty, least,
                 1e-6 * least);
-    EXPECT_NE(certificate().find("94 nm"), std::string::npos) << certificate();
-    EXPECT_NE(certificate().find("below the best capability"), std::string::npos) << certificate();
+    EXPECT_NE(certificate().find("094) mm, k = 2.00"), std::string::npos) << certificate();
+    EXPECT_NE(certificate().find("best measurement capability of the laboratory"), std::string::npos)
+        << certificate();
+    EXPECT_EQ(as_stated(*made_, evaluated_).front().result->outputs.front().coverage_factor, 2.0);
 }
 
 TEST_F(BestCapabilityTest, ALargerUStays) {
@@ -108,10 +110,21 @@ TEST_F(BestCapabilityTest, ASmallerUMayBeRefused) {
     evaluate({capability(ranges({{0.0, 100.0, 80e-6, 0.0}}), "refused")});
     ASSERT_EQ(findings().size(), 1U);
     EXPECT_EQ(findings()[0].verdict, CapabilityVerdict::refused);
-    EXPECT_NE(certificate().find("may not be stated"), std::string::npos) << certificate();
+    EXPECT_NE(certificate().find("is not stated"), std::string::npos) << certificate();
     EXPECT_FALSE(states_conformity());
     EXPECT_EQ(as_stated(*made_, evaluated_).front().result->outputs.front().quantity.role,
               OutputRole::intermediate);
+}
+
+// Nobody knows what a capability with errors allows: it does not count as none.
+TEST_F(BestCapabilityTest, WithErrorsNothingMayBeStated) {
+    evaluate({});
+    Project project = made_->project();
+    project.assets.push_back(capability(ranges({{30.0, 20.0, 80e-6, 0.0}})));
+    made_ = MadeProject::make(std::move(project));
+    ASSERT_EQ(findings().size(), 1U);
+    EXPECT_EQ(findings()[0].verdict, CapabilityVerdict::refused);
+    EXPECT_NE(findings()[0].words.english().find("Gauge blocks has errors"), std::string::npos);
 }
 
 TEST_F(BestCapabilityTest, TheFirstRangeThatHasTheValueCountsAndItsEndsBelongToIt) {
