@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -77,6 +78,24 @@ struct Subject {
     SharedInputs inputs;
     const Propagation& propagation;
 };
+
+/// Double numbers are steps apart. Trials that spread over few of them state the steps, not the measurand.
+void warn_about_steps(UncertaintyResult& result) {
+    constexpr double few = 16.0;
+    std::vector<const OutputQuantity*> rounded;
+    for (const OutputResult& output : result.outputs) {
+        const double y = std::abs(output.estimate), step = std::nextafter(y, infinity) - y;
+        const double u = output.first_order.standard_uncertainty;
+        if (u > 0.0 && u < few * step) rounded.push_back(&output.quantity);
+    }
+    if (rounded.empty()) return;
+    const OutputQuantity& first = *rounded.front();
+    result.warnings.push_back(
+        tell<"u of %1 is a few of the steps in which numbers of its size are kept, so that its trials are "
+             "rounded and their U is too large (results like this: %2). The law of propagation is not; or "
+             "evaluate the deviation from a nominal value.">(
+            first.group.empty() ? first.symbol : first.group + ": " + first.symbol, rounded.size()));
+}
 
 /// An evaluation: what its steps share.
 class Evaluation {
@@ -348,13 +367,13 @@ void Evaluation::warn_about(const MonteCarloRun& run) {
                                 "trials to keep the values of the tails in memory.">());
     if (source_.plan->largest_compromise() > 1e-3) {
         std::ostringstream compromise;
-        compromise.precision(2);
-        compromise << source_.plan->largest_compromise();
+        compromise << std::setprecision(2) << source_.plan->largest_compromise();
         warnings.push_back(
             tell<"The correlations stated cannot all hold with these distributions: the nearest that can are "
                  "drawn, with coefficients that differ by up to %1.">(compromise.str()));
     }
     warn_about_tails();
+    warn_about_steps(result_);
     for (const OutputResult& output : result_.outputs)
         if (output.quantity.periodic && output.standard_uncertainty > 1.0 &&
             output.first_order.standard_uncertainty <= 1.0)

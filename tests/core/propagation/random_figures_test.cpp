@@ -431,5 +431,24 @@ TEST(StoredUnits, AnyWordMayBeChanged) {
         }
 }
 
+// Caesium's frequency with the u of today: one step of double numbers there is 1.9 uHz.
+TEST(FiguresOneStepApart, RoundedTrialsAreSaid) {
+    const auto warned = [](double u) {
+        InputSet inputs;
+        add_quantity(inputs, "f", Distribution::of(Normal{9192631770.0, u}));
+        add_quantity(inputs, "d", Distribution::of(Normal{0.0, u}));
+        EvaluationOptions options;
+        options.trials = 20'000;
+        const auto result = evaluate(sum_model(inputs), inputs, options);
+        EXPECT_TRUE(result);
+        return result && std::ranges::any_of(result->warnings, [](const Message& warning) {
+                   return warning.english().find("steps in which numbers") != std::string::npos;
+               });
+    };
+    EXPECT_TRUE(warned(1e-6));
+    EXPECT_TRUE(warned(1e-5));
+    EXPECT_FALSE(warned(1e-3));
+}
+
 }  // namespace
 }  // namespace covaria::test::random_figures_test
