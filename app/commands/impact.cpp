@@ -52,7 +52,7 @@ std::string unit_behind(const Unit& unit) {
 
 ImpactWords words_of(const ImpactArguments& arguments) {
     if (arguments.replaced.empty()) return {arguments.used, {}, arguments.folders};
-    return {arguments.replaced[0], arguments.replaced[1], arguments.folders};
+    return {arguments.replaced[0], arguments.replaced[1], arguments.folders, arguments.method.first_order};
 }
 
 const char* word_of(std::optional<bool> met) {

@@ -74,6 +74,7 @@ struct ImpactWords {
     std::string old_figures;           ///< number, digest, file of the certificate, or asset
     std::string new_figures;           ///< as `new_figures` takes it; empty: only who used the old ones
     std::vector<std::string> folders;  ///< folders and files that are searched
+    bool is_first_order = false;       ///< evaluated by the law of propagation, whatever projects ask for
 };
 /// The question that the words ask; a file stands for its digest, so that a certificate is found by itself.
 /// Reads the new figures and the folders. Errors: as `new_figures` and `files_below`.

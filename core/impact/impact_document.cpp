@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "core/base/name.h"
+#include "core/report/certificate_words.h"
 #include "core/views/result_words.h"
 
 namespace covaria {
@@ -101,9 +102,7 @@ Table printed_table(const std::vector<ImpactRow>& rows, const DocumentLanguage& 
     const Table all = ImpactColumns(rows).make();
     Table table{"impact-results", in.say(tell<"Results that change, the largest change first">())};
     table.rows = rows.size();
-    table.add("file", [&rows](std::size_t row) -> Cell {
-        return std::filesystem::path(rows[row].file).filename().string();
-    });
+    table.add("file", [&rows](std::size_t row) -> Cell { return file_in_folder(rows[row].file); });
     table.columns.back().title = Text(in.say(tell<"File">()));
     const auto column = [&](const char* key, const Message& head) {
         Column& added = table.add(all[key]);
@@ -130,6 +129,11 @@ Table printed_table(const std::vector<ImpactRow>& rows, const DocumentLanguage& 
 
 }  // namespace
 
+std::string file_in_folder(const std::string& path) {
+    const std::filesystem::path file(path);
+    return (file.parent_path().filename() / file.filename()).string();
+}
+
 Table impact_table(const Impact& impact) {
     return ImpactColumns(impact.rows).make();
 }
@@ -154,11 +158,17 @@ ReportDocument build_impact(const ImpactWords& words, const Impact& impact, cons
     document.title = in.say(tell<"Impact of new figures">());
     document.running_head = document.title;
     document.over = in.say(tell<"Results that rest on a certificate">());
+    document.language = in.code();
+    document.page_words = in.say(certificate_words::page);
     auto& blocks = document.blocks;
-    blocks.push_back(FactsBlock{{{in.say(tell<"Replaced">()), words.old_figures},
-                                 {in.say(tell<"By">()), words.new_figures},
-                                 {in.say(tell<"Looked for in">()), joined(words.folders, ", ")}},
-                                true});
+    blocks.push_back(
+        FactsBlock{{{in.say(tell<"Replaced">()), words.old_figures},
+                    {in.say(tell<"By">()), words.new_figures},
+                    {in.say(tell<"Looked for in">()), joined(words.folders, ", ")},
+                    {in.say(tell<"Evaluated">()),
+                     in.say(words.is_first_order ? tell<"before and after by the law of propagation">()
+                                                 : tell<"before and after as each project says">())}},
+                   true});
     for (const Message& sentence : impact_sentences(impact))
         blocks.push_back(ParagraphBlock{in.say(sentence)});
     std::vector<ImpactRow> changed;
@@ -167,8 +177,7 @@ ReportDocument build_impact(const ImpactWords& words, const Impact& impact, cons
         blocks.push_back(HeadingBlock{1, in.say(tell<"Results">())});
         blocks.push_back(TableBlock{file_table(printed_table(changed, in)), {{}, 2, in}});
         blocks.push_back(ParagraphBlock{
-            in.say(tell<"The change of the value is given in units of the expanded uncertainty that was "
-                        "stated.">()),
+            in.say(tell<"The change of the value is given in units of the expanded uncertainty before.">()),
             true});
     }
     if (const auto amend = impact.to_amend(); !amend.empty()) {

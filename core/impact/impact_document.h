@@ -1,6 +1,7 @@
 // The impact of a certificate as people and files have it.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "core/document/report_document.h"
@@ -9,6 +10,9 @@
 #include "core/text/table.h"
 
 namespace covaria {
+
+/// Name of a file with that of its folder, which tells equal names apart: "2025/customer-b.covaria".
+std::string file_in_folder(const std::string& path);
 
 /// The table of an impact, with a row for each measurand that the certificate reaches. It reads the impact,
 /// which must outlive it.

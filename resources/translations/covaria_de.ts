@@ -18013,10 +18013,6 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
         <translation>Gesucht in</translation>
     </message>
     <message>
-        <source>The change of the value is given in units of the expanded uncertainty that was stated.</source>
-        <translation>Die Änderung des Werts ist in Einheiten der zuvor angegebenen erweiterten Unsicherheit ausgedrückt.</translation>
-    </message>
-    <message>
         <source>Documents to amend</source>
         <translation>Zu ändernde Dokumente</translation>
     </message>
@@ -20075,6 +20071,38 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     <message>
         <source>%1 as adjusted differs from its reference by %2 µm, with E_n = %3: look for a wrong scale of distances, a wrong reference, or uncertainties that are too small</source>
         <translation>%1, ausgeglichen, weicht um %2 µm von der Referenz ab, mit E_n = %3: ein falscher Maßstab der Strecken, eine falsche Referenz oder zu kleine Unsicherheiten sind zu suchen</translation>
+    </message>
+    <message>
+        <source>u of %1 is a few of the steps in which numbers of its size are kept, so that its trials are rounded and their U is too large (results like this: %2). The law of propagation is not; or evaluate the deviation from a nominal value.</source>
+        <translation>u von %1 beträgt nur wenige der Schritte, in denen Zahlen dieser Größe gespeichert werden; die Versuche sind gerundet und ihr U ist zu groß (solche Ergebnisse: %2). Das Fortpflanzungsgesetz ist es nicht; oder werten Sie die Abweichung von einem Nennwert aus.</translation>
+    </message>
+    <message>
+        <source>%1 has errors: it is not known which U may be stated for %2</source>
+        <translation>%1 hat Fehler: Es ist nicht bekannt, welches U für %2 angegeben werden darf</translation>
+    </message>
+    <message>
+        <source>U of %1 is the best measurement capability of the laboratory, with k = 2</source>
+        <translation>U von %1 ist die kleinste angebbare Messunsicherheit des Laboratoriums, mit k = 2</translation>
+    </message>
+    <message>
+        <source>%1 is not stated: U is below the best measurement capability of the laboratory</source>
+        <translation>%1 wird nicht angegeben: U liegt unter der kleinsten angebbaren Messunsicherheit des Laboratoriums</translation>
+    </message>
+    <message>
+        <source>Evaluated</source>
+        <translation>Ausgewertet</translation>
+    </message>
+    <message>
+        <source>before and after by the law of propagation</source>
+        <translation>vorher und nachher nach dem Fortpflanzungsgesetz</translation>
+    </message>
+    <message>
+        <source>before and after as each project says</source>
+        <translation>vorher und nachher, wie jedes Projekt es sagt</translation>
+    </message>
+    <message>
+        <source>The change of the value is given in units of the expanded uncertainty before.</source>
+        <translation>Die Änderung des Wertes ist in Einheiten der erweiterten Messunsicherheit vorher angegeben.</translation>
     </message>
 </context>
 <context>
@@ -22513,10 +22541,6 @@ An diesen Stellen steht „nicht angegeben“. Es sind Felder der Seite des Proj
         <translation>CSV-Tabelle (*.csv)</translation>
     </message>
     <message>
-        <source>&amp;List of Files to Amend …</source>
-        <translation>&amp;Liste der zu ändernden Dateien …</translation>
-    </message>
-    <message>
         <source>Save the List</source>
         <translation>Liste speichern</translation>
     </message>
@@ -22540,13 +22564,25 @@ An diesen Stellen steht „nicht angegeben“. Es sind Felder der Seite des Proj
         <source>Wrote %1</source>
         <translation>%1 geschrieben</translation>
     </message>
+    <message>
+        <source>&amp;List of Files …</source>
+        <translation>&amp;Liste der Dateien …</translation>
+    </message>
+    <message>
+        <source>Evaluating …</source>
+        <translation>Wertet aus …</translation>
+    </message>
+    <message>
+        <source>Stopped.</source>
+        <translation>Angehalten.</translation>
+    </message>
+    <message>
+        <source>Both before and after by the law of propagation.</source>
+        <translation>Vorher und nachher nach dem Fortpflanzungsgesetz.</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::ImpactForm</name>
-    <message>
-        <source>To &amp;first order: quick</source>
-        <translation>In &amp;erster Ordnung: schnell</translation>
-    </message>
     <message>
         <source>&amp;Browse …</source>
         <translation>D&amp;urchsuchen …</translation>
@@ -22594,6 +22630,10 @@ An diesen Stellen steht „nicht angegeben“. Es sind Felder der Seite des Proj
     <message>
         <source>&amp;Look in</source>
         <translation>Suchen &amp;in</translation>
+    </message>
+    <message>
+        <source>To first &amp;order: quick</source>
+        <translation>In ers&amp;ter Ordnung: schnell</translation>
     </message>
 </context>
 <context>

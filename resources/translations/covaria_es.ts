@@ -18013,10 +18013,6 @@ nu 18 detrás de cualquiera de ellos: grados de libertad</translation>
         <translation>Buscado en</translation>
     </message>
     <message>
-        <source>The change of the value is given in units of the expanded uncertainty that was stated.</source>
-        <translation>El cambio del valor se da en unidades de la incertidumbre expandida que se indicó.</translation>
-    </message>
-    <message>
         <source>Documents to amend</source>
         <translation>Documentos que enmendar</translation>
     </message>
@@ -20075,6 +20071,38 @@ nu 18 detrás de cualquiera de ellos: grados de libertad</translation>
     <message>
         <source>%1 as adjusted differs from its reference by %2 µm, with E_n = %3: look for a wrong scale of distances, a wrong reference, or uncertainties that are too small</source>
         <translation>%1, compensada, difiere de su referencia en %2 µm, con E_n = %3: busque una escala errónea de las distancias, una referencia errónea o incertidumbres demasiado pequeñas</translation>
+    </message>
+    <message>
+        <source>u of %1 is a few of the steps in which numbers of its size are kept, so that its trials are rounded and their U is too large (results like this: %2). The law of propagation is not; or evaluate the deviation from a nominal value.</source>
+        <translation>u de %1 es de pocos de los pasos con que se guardan los números de su tamaño, de modo que sus ensayos están redondeados y su U es demasiado grande (resultados así: %2). La ley de propagación no lo está; o evalúe la desviación respecto de un valor nominal.</translation>
+    </message>
+    <message>
+        <source>%1 has errors: it is not known which U may be stated for %2</source>
+        <translation>%1 tiene errores: no se sabe qué U puede declararse para %2</translation>
+    </message>
+    <message>
+        <source>U of %1 is the best measurement capability of the laboratory, with k = 2</source>
+        <translation>U de %1 es la capacidad óptima de medida del laboratorio, con k = 2</translation>
+    </message>
+    <message>
+        <source>%1 is not stated: U is below the best measurement capability of the laboratory</source>
+        <translation>%1 no se declara: U es inferior a la capacidad óptima de medida del laboratorio</translation>
+    </message>
+    <message>
+        <source>Evaluated</source>
+        <translation>Evaluado</translation>
+    </message>
+    <message>
+        <source>before and after by the law of propagation</source>
+        <translation>antes y después por la ley de propagación</translation>
+    </message>
+    <message>
+        <source>before and after as each project says</source>
+        <translation>antes y después como dice cada proyecto</translation>
+    </message>
+    <message>
+        <source>The change of the value is given in units of the expanded uncertainty before.</source>
+        <translation>El cambio del valor se da en unidades de la incertidumbre expandida de antes.</translation>
     </message>
 </context>
 <context>
@@ -22513,10 +22541,6 @@ En esos lugares figura “not stated”. Son campos de la página del proyecto.<
         <translation>Tabla CSV (*.csv)</translation>
     </message>
     <message>
-        <source>&amp;List of Files to Amend …</source>
-        <translation>&amp;Lista de archivos que enmendar …</translation>
-    </message>
-    <message>
         <source>Save the List</source>
         <translation>Guardar la lista</translation>
     </message>
@@ -22540,13 +22564,25 @@ En esos lugares figura “not stated”. Son campos de la página del proyecto.<
         <source>Wrote %1</source>
         <translation>Se escribió %1</translation>
     </message>
+    <message>
+        <source>&amp;List of Files …</source>
+        <translation>&amp;Lista de archivos …</translation>
+    </message>
+    <message>
+        <source>Evaluating …</source>
+        <translation>Evaluando …</translation>
+    </message>
+    <message>
+        <source>Stopped.</source>
+        <translation>Detenido.</translation>
+    </message>
+    <message>
+        <source>Both before and after by the law of propagation.</source>
+        <translation>Antes y después por la ley de propagación.</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::ImpactForm</name>
-    <message>
-        <source>To &amp;first order: quick</source>
-        <translation>A &amp;primer orden: rápido</translation>
-    </message>
     <message>
         <source>&amp;Browse …</source>
         <translation>E&amp;xaminar …</translation>
@@ -22594,6 +22630,10 @@ En esos lugares figura “not stated”. Son campos de la página del proyecto.<
     <message>
         <source>&amp;Look in</source>
         <translation>&amp;Buscar en</translation>
+    </message>
+    <message>
+        <source>To first &amp;order: quick</source>
+        <translation>A &amp;primer orden: rápido</translation>
     </message>
 </context>
 <context>

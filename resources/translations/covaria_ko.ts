@@ -18012,10 +18012,6 @@ sample 1; 2; 3 weights 2; 5; 2 (그대로 뽑음), histogram 0; 1; 2 weights 5; 
         <translation>찾은 곳</translation>
     </message>
     <message>
-        <source>The change of the value is given in units of the expanded uncertainty that was stated.</source>
-        <translation>값의 변화는 기재되었던 확장불확도를 단위로 나타냅니다.</translation>
-    </message>
-    <message>
         <source>Documents to amend</source>
         <translation>수정할 문서</translation>
     </message>
@@ -20074,6 +20070,38 @@ sample 1; 2; 3 weights 2; 5; 2 (그대로 뽑음), histogram 0; 1; 2 weights 5; 
     <message>
         <source>%1 as adjusted differs from its reference by %2 µm, with E_n = %3: look for a wrong scale of distances, a wrong reference, or uncertainties that are too small</source>
         <translation>조정된 %1은(는) 기준값과 %2 µm 다르며 E_n = %3입니다: 거리의 잘못된 척도, 잘못된 기준값 또는 너무 작은 불확도를 찾으십시오</translation>
+    </message>
+    <message>
+        <source>u of %1 is a few of the steps in which numbers of its size are kept, so that its trials are rounded and their U is too large (results like this: %2). The law of propagation is not; or evaluate the deviation from a nominal value.</source>
+        <translation>%1의 u는 그 크기의 수를 저장하는 간격의 몇 배에 지나지 않아 시행이 반올림되고 U가 너무 큽니다(이런 결과: %2). 전파 법칙은 그렇지 않습니다. 또는 공칭값과의 편차를 평가하십시오.</translation>
+    </message>
+    <message>
+        <source>%1 has errors: it is not known which U may be stated for %2</source>
+        <translation>%1에 오류가 있습니다. %2에 어떤 U를 기재할 수 있는지 알 수 없습니다</translation>
+    </message>
+    <message>
+        <source>U of %1 is the best measurement capability of the laboratory, with k = 2</source>
+        <translation>%1의 U는 시험소의 최고 측정 능력이며 k = 2입니다</translation>
+    </message>
+    <message>
+        <source>%1 is not stated: U is below the best measurement capability of the laboratory</source>
+        <translation>%1은(는) 기재하지 않습니다. U가 시험소의 최고 측정 능력보다 작습니다</translation>
+    </message>
+    <message>
+        <source>Evaluated</source>
+        <translation>평가</translation>
+    </message>
+    <message>
+        <source>before and after by the law of propagation</source>
+        <translation>이전과 이후 모두 전파 법칙으로</translation>
+    </message>
+    <message>
+        <source>before and after as each project says</source>
+        <translation>이전과 이후 모두 각 프로젝트가 정한 대로</translation>
+    </message>
+    <message>
+        <source>The change of the value is given in units of the expanded uncertainty before.</source>
+        <translation>값의 변화는 이전 확장불확도 단위로 나타냅니다.</translation>
     </message>
 </context>
 <context>
@@ -22509,10 +22537,6 @@ It says “not stated” in these places. They are fields of the project&apos;s 
         <translation>CSV 표 (*.csv)</translation>
     </message>
     <message>
-        <source>&amp;List of Files to Amend …</source>
-        <translation>수정할 파일 목록(&amp;L) …</translation>
-    </message>
-    <message>
         <source>Save the List</source>
         <translation>목록 저장</translation>
     </message>
@@ -22536,13 +22560,25 @@ It says “not stated” in these places. They are fields of the project&apos;s 
         <source>Wrote %1</source>
         <translation>%1 저장함</translation>
     </message>
+    <message>
+        <source>&amp;List of Files …</source>
+        <translation>파일 목록(&amp;L) …</translation>
+    </message>
+    <message>
+        <source>Evaluating …</source>
+        <translation>평가하는 중 …</translation>
+    </message>
+    <message>
+        <source>Stopped.</source>
+        <translation>멈추었습니다.</translation>
+    </message>
+    <message>
+        <source>Both before and after by the law of propagation.</source>
+        <translation>이전과 이후 모두 전파 법칙에 따릅니다.</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::ImpactForm</name>
-    <message>
-        <source>To &amp;first order: quick</source>
-        <translation>1차로(&amp;F): 빠름</translation>
-    </message>
     <message>
         <source>&amp;Browse …</source>
         <translation>찾아보기(&amp;B) …</translation>
@@ -22590,6 +22626,10 @@ It says “not stated” in these places. They are fields of the project&apos;s 
     <message>
         <source>&amp;Look in</source>
         <translation>찾을 곳(&amp;L)</translation>
+    </message>
+    <message>
+        <source>To first &amp;order: quick</source>
+        <translation>1차로(&amp;O): 빠름</translation>
     </message>
 </context>
 <context>

@@ -18013,10 +18013,6 @@ nu 18 atrás de qualquer um deles: graus de liberdade</translation>
         <translation>Procurado em</translation>
     </message>
     <message>
-        <source>The change of the value is given in units of the expanded uncertainty that was stated.</source>
-        <translation>A variação do valor é dada em unidades da incerteza expandida que foi declarada.</translation>
-    </message>
-    <message>
         <source>Documents to amend</source>
         <translation>Documentos a emendar</translation>
     </message>
@@ -20075,6 +20071,38 @@ nu 18 atrás de qualquer um deles: graus de liberdade</translation>
     <message>
         <source>%1 as adjusted differs from its reference by %2 µm, with E_n = %3: look for a wrong scale of distances, a wrong reference, or uncertainties that are too small</source>
         <translation>%1, ajustada, difere da sua referência em %2 µm, com E_n = %3: procure uma escala errada das distâncias, uma referência errada ou incertezas pequenas demais</translation>
+    </message>
+    <message>
+        <source>u of %1 is a few of the steps in which numbers of its size are kept, so that its trials are rounded and their U is too large (results like this: %2). The law of propagation is not; or evaluate the deviation from a nominal value.</source>
+        <translation>u de %1 é de poucos dos passos em que se guardam números do seu tamanho, de modo que seus ensaios são arredondados e seu U é grande demais (resultados assim: %2). A lei de propagação não é; ou avalie o desvio em relação a um valor nominal.</translation>
+    </message>
+    <message>
+        <source>%1 has errors: it is not known which U may be stated for %2</source>
+        <translation>%1 tem erros: não se sabe que U pode ser declarada para %2</translation>
+    </message>
+    <message>
+        <source>U of %1 is the best measurement capability of the laboratory, with k = 2</source>
+        <translation>U de %1 é a melhor capacidade de medição do laboratório, com k = 2</translation>
+    </message>
+    <message>
+        <source>%1 is not stated: U is below the best measurement capability of the laboratory</source>
+        <translation>%1 não é declarado: U está abaixo da melhor capacidade de medição do laboratório</translation>
+    </message>
+    <message>
+        <source>Evaluated</source>
+        <translation>Avaliado</translation>
+    </message>
+    <message>
+        <source>before and after by the law of propagation</source>
+        <translation>antes e depois pela lei de propagação</translation>
+    </message>
+    <message>
+        <source>before and after as each project says</source>
+        <translation>antes e depois como diz cada projeto</translation>
+    </message>
+    <message>
+        <source>The change of the value is given in units of the expanded uncertainty before.</source>
+        <translation>A variação do valor é dada em unidades da incerteza expandida de antes.</translation>
     </message>
 </context>
 <context>
@@ -22513,10 +22541,6 @@ Nesses lugares ele diz “não declarado”. São campos da página do projeto.<
         <translation>Tabela CSV (*.csv)</translation>
     </message>
     <message>
-        <source>&amp;List of Files to Amend …</source>
-        <translation>&amp;Lista de arquivos a emendar …</translation>
-    </message>
-    <message>
         <source>Save the List</source>
         <translation>Salvar a lista</translation>
     </message>
@@ -22540,16 +22564,28 @@ Nesses lugares ele diz “não declarado”. São campos da página do projeto.<
         <source>Wrote %1</source>
         <translation>%1 escrito</translation>
     </message>
+    <message>
+        <source>&amp;List of Files …</source>
+        <translation>&amp;Lista de arquivos …</translation>
+    </message>
+    <message>
+        <source>Evaluating …</source>
+        <translation>Avaliando …</translation>
+    </message>
+    <message>
+        <source>Stopped.</source>
+        <translation>Parado.</translation>
+    </message>
+    <message>
+        <source>Both before and after by the law of propagation.</source>
+        <translation>Antes e depois pela lei de propagação.</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::ImpactForm</name>
     <message>
-        <source>To &amp;first order: quick</source>
-        <translation>Em &amp;primeira ordem: rápido</translation>
-    </message>
-    <message>
         <source>&amp;Browse …</source>
-        <translation>Pro&amp;curar …</translation>
+        <translation>Proc&amp;urar …</translation>
     </message>
     <message>
         <source>&amp;Add Folder …</source>
@@ -22594,6 +22630,10 @@ Nesses lugares ele diz “não declarado”. São campos da página do projeto.<
     <message>
         <source>&amp;Look in</source>
         <translation>Procurar &amp;em</translation>
+    </message>
+    <message>
+        <source>To first &amp;order: quick</source>
+        <translation>Em p&amp;rimeira ordem: rápido</translation>
     </message>
 </context>
 <context>

@@ -18012,10 +18012,6 @@ sample 1; 2; 3 weights 2; 5; 2（按原样抽取），histogram 0; 1; 2 weights 
         <translation>查找位置</translation>
     </message>
     <message>
-        <source>The change of the value is given in units of the expanded uncertainty that was stated.</source>
-        <translation>值的变化以原先给出的扩展不确定度为单位表示。</translation>
-    </message>
-    <message>
         <source>Documents to amend</source>
         <translation>需修订的文件</translation>
     </message>
@@ -20074,6 +20070,38 @@ sample 1; 2; 3 weights 2; 5; 2（按原样抽取），histogram 0; 1; 2 weights 
     <message>
         <source>%1 as adjusted differs from its reference by %2 µm, with E_n = %3: look for a wrong scale of distances, a wrong reference, or uncertainties that are too small</source>
         <translation>%1 的平差值与参考值相差 %2 µm，E_n = %3：请查找错误的距离尺度、错误的参考值或过小的不确定度</translation>
+    </message>
+    <message>
+        <source>u of %1 is a few of the steps in which numbers of its size are kept, so that its trials are rounded and their U is too large (results like this: %2). The law of propagation is not; or evaluate the deviation from a nominal value.</source>
+        <translation>%1 的 u 只有存储该大小数值的步长的几倍，因此其试验被舍入，U 过大（此类结果：%2）。传播律不受影响；或者评定相对于标称值的偏差。</translation>
+    </message>
+    <message>
+        <source>%1 has errors: it is not known which U may be stated for %2</source>
+        <translation>%1 有错误：不知道 %2 可给出怎样的 U</translation>
+    </message>
+    <message>
+        <source>U of %1 is the best measurement capability of the laboratory, with k = 2</source>
+        <translation>%1 的 U 为实验室的最佳测量能力，k = 2</translation>
+    </message>
+    <message>
+        <source>%1 is not stated: U is below the best measurement capability of the laboratory</source>
+        <translation>不给出 %1：U 小于实验室的最佳测量能力</translation>
+    </message>
+    <message>
+        <source>Evaluated</source>
+        <translation>评定</translation>
+    </message>
+    <message>
+        <source>before and after by the law of propagation</source>
+        <translation>前后均按传播律</translation>
+    </message>
+    <message>
+        <source>before and after as each project says</source>
+        <translation>前后均按各项目的规定</translation>
+    </message>
+    <message>
+        <source>The change of the value is given in units of the expanded uncertainty before.</source>
+        <translation>值的变化以之前的扩展不确定度为单位给出。</translation>
     </message>
 </context>
 <context>
@@ -22509,10 +22537,6 @@ It says “not stated” in these places. They are fields of the project&apos;s 
         <translation>CSV 表格 (*.csv)</translation>
     </message>
     <message>
-        <source>&amp;List of Files to Amend …</source>
-        <translation>需修订文件的列表(&amp;L) …</translation>
-    </message>
-    <message>
         <source>Save the List</source>
         <translation>保存列表</translation>
     </message>
@@ -22536,13 +22560,25 @@ It says “not stated” in these places. They are fields of the project&apos;s 
         <source>Wrote %1</source>
         <translation>已写入 %1</translation>
     </message>
+    <message>
+        <source>&amp;List of Files …</source>
+        <translation>文件列表(&amp;L) …</translation>
+    </message>
+    <message>
+        <source>Evaluating …</source>
+        <translation>正在评定 …</translation>
+    </message>
+    <message>
+        <source>Stopped.</source>
+        <translation>已停止。</translation>
+    </message>
+    <message>
+        <source>Both before and after by the law of propagation.</source>
+        <translation>前后均按传播律。</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::ImpactForm</name>
-    <message>
-        <source>To &amp;first order: quick</source>
-        <translation>一阶(&amp;F)：快速</translation>
-    </message>
     <message>
         <source>&amp;Browse …</source>
         <translation>浏览(&amp;B) …</translation>
@@ -22590,6 +22626,10 @@ It says “not stated” in these places. They are fields of the project&apos;s 
     <message>
         <source>&amp;Look in</source>
         <translation>查找位置(&amp;L)</translation>
+    </message>
+    <message>
+        <source>To first &amp;order: quick</source>
+        <translation>一阶(&amp;O)：快速</translation>
     </message>
 </context>
 <context>

@@ -53,7 +53,7 @@ ImpactForm::ImpactForm(QWidget* parent)
       certificate_(new QComboBox),
       figures_(new QLineEdit),
       places_(new QPlainTextEdit),
-      first_order_(new QCheckBox(tr("To &first order: quick"))),
+      first_order_(new QCheckBox(tr("To first &order: quick"))),
       figures_button_(new QPushButton(tr("&Browse …"))),
       place_button_(new QPushButton(tr("&Add Folder …"))) {
     certificate_->setObjectName(QStringLiteral("impact_certificate"));
@@ -99,14 +99,13 @@ void ImpactForm::ask_about(const QString& certificate) {
 }
 
 ImpactWords ImpactForm::words() const {
-    ImpactWords words{to_std(certificate_->currentText().trimmed()), to_std(figures_->text().trimmed()), {}};
+    ImpactWords words;
+    words.old_figures = to_std(certificate_->currentText().trimmed());
+    words.new_figures = to_std(figures_->text().trimmed());
+    words.is_first_order = first_order_->isChecked();
     for (const QString& place : places_->toPlainText().split(QLatin1Char('\n'), Qt::SkipEmptyParts))
         if (!place.trimmed().isEmpty()) words.folders.push_back(to_std(place.trimmed()));
     return words;
-}
-
-bool ImpactForm::is_first_order() const {
-    return first_order_->isChecked();
 }
 
 void ImpactForm::set_new_figures(const QString& file) {

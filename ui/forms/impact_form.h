@@ -27,7 +27,6 @@ public:
     void ask_about(const QString& certificate);
 
     ImpactWords words() const;
-    bool is_first_order() const;
     void set_new_figures(const QString& file);
     void add_place(const QString& folder);
     QPushButton& figures_button() { return *figures_button_; }

@@ -3,6 +3,7 @@
 #include <QDir>
 #include <QFileInfo>
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QListWidget>
 #include <QMenu>
@@ -31,16 +32,32 @@ MadeProject::Pointer to_first_order(const MadeProject::Pointer& made) {
     return MadeProject::make(std::move(project), made);
 }
 
-Result<Impact> find_impact(const ImpactWords& words, bool first_order, const RunControl& control) {
+Result<Impact> find_impact(const ImpactWords& words, const RunControl& control) {
     auto question = question_of(words);
     if (!question) return fail(question.error());
-    if (first_order) question->asked = to_first_order;
+    if (words.is_first_order) question->asked = to_first_order;
     return impact_of(*question, control);
 }
 
-std::string list_to_amend(const Impact& impact) {
+QStringList sentences_of(const Impact& impact) {
+    QStringList said;
+    for (const Message& sentence : impact_sentences(impact)) said << to_qt(sentence);
+    return said;
+}
+
+/// Fills the list, which is as high as it must be and hides when it is empty.
+void list_failures(QListWidget& list, const std::vector<ImpactFailure>& failures) {
+    list.clear();
+    for (const ImpactFailure& failure : failures)
+        list.addItem(QStringLiteral("%1: %2").arg(to_qt(failure.file), to_qt(failure.cause)));
+    list.setVisible(list.count() > 0);
+    const int lines = std::min(2 * list.count(), most_lines_of_failures);  // two for each
+    list.setFixedHeight(lines * (list.fontMetrics().lineSpacing() + 4) + 8);
+}
+
+std::string listed(const std::vector<std::string>& files) {
     std::string list;
-    for (const std::string& file : impact.to_amend()) list += file + "\n";
+    for (const std::string& file : files) list += file + "\n";
     return list;
 }
 
@@ -61,7 +78,7 @@ ImpactDialog::ImpactDialog(const Dialogs& dialogs, QWidget* parent)
       job_(Execution::threads) {
     setObjectName(QStringLiteral("impact"));
     setWindowTitle(tr("What Hangs on a Certificate"));
-    table_->set_columns(QStringLiteral("impact"), {QStringLiteral("Group"), QStringLiteral("Change / u")});
+    table_->set_columns(QStringLiteral("impact"), ImpactTableModel::usually_hidden());
     answer_->setObjectName(QStringLiteral("impact_answer"));
     answer_->setFont(sized(answer_->font(), TextSize::title));
     for (QLabel* label : {answer_, sentences_}) {
@@ -84,10 +101,12 @@ ImpactDialog::ImpactDialog(const Dialogs& dialogs, QWidget* parent)
     connect(form_, &ImpactForm::changed, this, &ImpactDialog::refresh);
     connect(&form_->figures_button(), &QPushButton::clicked, this, [this] {
         const QString file = dialogs_.file_to_import(tr("New Figures"), last_folder(), tr("All files (*)"));
+        activateWindow();  // which the file dialog gave to the window of the project
         if (!file.isEmpty()) form_->set_new_figures(file);
     });
     connect(&form_->place_button(), &QPushButton::clicked, this, [this] {
         const QString folder = dialogs_.folder_to_search(tr("Folder With Projects and Reports"));
+        activateWindow();
         if (!folder.isEmpty()) form_->add_place(folder);
     });
     connect(table_, &SortableTable::row_activated, this,
@@ -128,34 +147,38 @@ QLayout* ImpactDialog::make_foot() {
 }
 
 void ImpactDialog::fill_save_menu(QMenu& menu) {
-    menu.addAction(tr("&Document (PDF) …"), this, [this] {
+    of_results_ << menu.addAction(tr("&Document (PDF) …"), this, [this] {
         const QString file =
             ask_file(tr("Save the Impact"), QStringLiteral(".pdf"), tr("PDF document (*.pdf)"));
         if (!file.isEmpty()) write_document(file, ReportFormat::pdf);
     });
-    menu.addAction(tr("Document (&HTML) …"), this, [this] {
+    of_results_ << menu.addAction(tr("Document (&HTML) …"), this, [this] {
         const QString file =
             ask_file(tr("Save the Impact"), QStringLiteral(".html"), tr("HTML page (*.html)"));
         if (!file.isEmpty()) write_document(file, ReportFormat::html);
     });
-    menu.addAction(tr("&Table (CSV) …"), this, [this] {
+    of_results_ << menu.addAction(tr("&Table (CSV) …"), this, [this] {
         const QString file = ask_file(tr("Save the Table"), QStringLiteral(".csv"), tr("CSV table (*.csv)"));
         if (!file.isEmpty()) write_text(file, to_csv(impact_table(*impact_)));
     });
-    menu.addAction(tr("&List of Files to Amend …"), this, [this] {
+    menu.addAction(tr("&List of Files …"), this, [this] {
         const QString file = ask_file(tr("Save the List"), QStringLiteral(".txt"), tr("Text (*.txt)"));
-        if (!file.isEmpty()) write_text(file, list_to_amend(*impact_));
+        if (!file.isEmpty())
+            write_text(file, listed(is_evaluated_ ? impact_->to_amend() : impact_->using_it));
     });
 }
 
 void ImpactDialog::refresh() {
     const ImpactWords words = form_->words();
     evaluate_->setEnabled(!is_busy() && !words.old_figures.empty() && !words.folders.empty());
+    save_->setEnabled(impact_ && !is_busy());
     evaluate_->setText(words.new_figures.empty() ? tr("&Find Who Used It") : tr("&Evaluate"));
 }
 
 void ImpactDialog::evaluate() {
     asked_ = form_->words();
+    show_impact({}, false);  // what is shown is never that of another question
+    answer_->setText(tr("Evaluating …"));
     const auto tell = [this](const Progress& now) {
         inbox_.post([this, now] {
             progress_->setRange(0, static_cast<int>(now.trials_planned));
@@ -163,9 +186,8 @@ void ImpactDialog::evaluate() {
         });
     };
     job_.start(
-        [this, tell, words = asked_,
-         first_order = form_->is_first_order()](const std::stop_token& stop) -> JobQueue::Delivery {
-            auto found = find_impact(words, first_order, {stop, tell, 0, nullptr});
+        [this, tell, words = asked_](const std::stop_token& stop) -> JobQueue::Delivery {
+            auto found = find_impact(words, {stop, tell, 0, nullptr});
             if (!found) return [this, error = found.error()] { show_failure(error); };
             return [this, is_evaluated = !words.new_figures.empty(),
                     impact = std::make_shared<const Impact>(*std::move(found))] {
@@ -183,10 +205,16 @@ void ImpactDialog::evaluate() {
 void ImpactDialog::stop() {
     job_.cancel();
     end_run();
+    answer_->setText(tr("Stopped."));
+}
+
+void ImpactDialog::keyPressEvent(QKeyEvent* event) {
+    if (event->key() == Qt::Key_Escape && is_busy()) return stop();
+    QDialog::keyPressEvent(event);
 }
 
 void ImpactDialog::reject() {
-    if (is_busy()) return stop();
+    if (is_busy()) stop();
     QDialog::reject();
 }
 
@@ -204,29 +232,24 @@ void ImpactDialog::show_failure(const Error& error) {
 
 void ImpactDialog::show_impact(std::shared_ptr<const Impact> impact, bool is_evaluated) {
     impact_ = std::move(impact);
+    is_evaluated_ = is_evaluated;
     model_.set_impact(impact_, is_evaluated);
-    QStringList said;
-    if (impact_)
-        for (const Message& sentence : impact_sentences(*impact_)) said << to_qt(sentence);
-    // The last of the first two sentences is the answer: how many results change, else who used it.
-    const qsizetype answer = std::min<qsizetype>(said.size(), 2) - 1;
-    answer_->setText(answer < 0 ? tr("Which results change when the figures of a certificate do?")
-                                : said.takeAt(answer));
+    QStringList said = impact_ ? sentences_of(*impact_) : QStringList();
+    if (is_evaluated && asked_.is_first_order) said << tr("Both before and after by the law of propagation.");
+    // The answer is how many results change, else who used it: the second sentence or the first.
+    answer_->setText(impact_ ? said.takeAt(impact_->rows.empty() ? 0 : 1)
+                             : tr("Which results change when the figures of a certificate do?"));
     sentences_->setText(said.join(QLatin1Char(' ')));
     sentences_->setVisible(!said.isEmpty());
-    failures_->clear();
-    if (impact_)
-        for (const ImpactFailure& failure : impact_->failures)
-            failures_->addItem(QStringLiteral("%1: %2").arg(to_qt(failure.file), to_qt(failure.cause)));
-    failures_->setVisible(failures_->count() > 0);
-    const int lines = std::min(2 * failures_->count(), most_lines_of_failures);  // two for each
-    failures_->setFixedHeight(lines * (fontMetrics().lineSpacing() + 4) + 8);
-    save_->setEnabled(impact_ && is_evaluated);
+    list_failures(*failures_, impact_ ? impact_->failures : std::vector<ImpactFailure>());
+    for (QAction* action : of_results_) action->setEnabled(is_evaluated);
+    refresh();
 }
 
 QString ImpactDialog::ask_file(const QString& title, const QString& ending, const QString& filter) {
     const QString file =
         dialogs_.file_to_save(title, QDir(last_folder()).filePath(tr("impact") + ending), filter);
+    activateWindow();
     if (file.isEmpty()) return {};
     remember_folder_of(file);
     return file.endsWith(ending) ? file : file + ending;
@@ -251,10 +274,10 @@ void ImpactDialog::write_text(const QString& file, const std::string& text) {
 }
 
 void ImpactDialog::finish_writing(const QString& file, const Result<void>& written) {
+    refresh();
     if (!written) return dialogs_.show_message(tr("It could not be saved"), to_qt(written.error().message));
     sentences_->setText(tr("Wrote %1").arg(QDir::toNativeSeparators(file)));
     sentences_->show();
-    refresh();
     emit finished_writing(file);
 }
 

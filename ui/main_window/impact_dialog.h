@@ -32,7 +32,6 @@ public:
     void evaluate();
     /// Ends what is being evaluated; what is shown stays.
     void stop();
-    /// Escape ends an evaluation first, then closes.
     void reject() override;
     bool is_busy() const { return job_.is_busy(); }
     void write_document(const QString& file, ReportFormat format);
@@ -41,6 +40,10 @@ public:
 signals:
     void file_wanted(const QString& file);
     void finished_writing(const QString& file);
+
+protected:
+    /// Escape ends an evaluation first, then closes.
+    void keyPressEvent(QKeyEvent* event) override;
 
 private:
     QLayout* make_run_row();
@@ -61,6 +64,8 @@ private:
     QListWidget* failures_;
     QProgressBar* progress_;
     QPushButton *evaluate_, *stop_, *save_;
+    QList<QAction*> of_results_;  ///< saved where something was evaluated
+    bool is_evaluated_ = false;
     ImpactWords asked_;
     std::shared_ptr<const Impact> impact_;
     Inbox inbox_;    ///< progress of the job

@@ -1,7 +1,6 @@
 #include "ui/models/impact_table_model.h"
 
 #include <QGuiApplication>
-#include <filesystem>
 
 #include "core/impact/impact_document.h"
 #include "ui/theme/strings.h"
@@ -9,10 +8,6 @@
 
 namespace covaria::ui {
 namespace {
-
-std::string file_name(const std::string& path) {
-    return std::filesystem::path(path).filename().string();
-}
 
 struct ImpactHead {
     const char* key;
@@ -56,9 +51,13 @@ void ImpactTableModel::set_impact(std::shared_ptr<const Impact> impact, bool is_
         std::ranges::find(table.columns, head.key, &Column::key)->title = running_text(to_std(head.words));
         keys.emplace_back(head.key);
     }
-    table.columns.front().cell =
-        Cells([&impact = *impact_](std::size_t row) -> Cell { return file_name(impact.rows[row].file); });
+    table.columns.front().cell = Cells(
+        [&impact = *impact_](std::size_t row) -> Cell { return file_in_folder(impact.rows[row].file); });
     set_contents(impact_, std::move(table), std::move(keys), true);
+}
+
+QStringList ImpactTableModel::usually_hidden() {
+    return {tr("Group"), tr("Change / u"), tr("Change of U in %")};
 }
 
 std::string ImpactTableModel::file_of(int row) const {

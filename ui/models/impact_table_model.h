@@ -1,6 +1,7 @@
 // The results that new figures of a certificate reach, before and after; or the files that used the old ones.
 #pragma once
 
+#include <QStringList>
 #include <memory>
 
 #include "core/impact/impact.h"
@@ -15,6 +16,8 @@ public:
 
     /// Shows the results; files alone where nothing was evaluated. Null: an empty table.
     void set_impact(std::shared_ptr<const Impact> impact, bool is_evaluated);
+    /// Heads of columns that most people do without.
+    static QStringList usually_hidden();
     /// Path of the file that a row is about.
     std::string file_of(int row) const;
 

@@ -73,7 +73,7 @@ TEST_F(ImpactSession, TellsWhichResultsChangeAndWritesThem) {
     ASSERT_EQ(table().rowCount(), 5);
     EXPECT_EQ(words(0, "Verdict before"), QStringLiteral("met"));
     EXPECT_EQ(words(0, "Verdict after"), QStringLiteral("not met"));
-    EXPECT_TRUE(words(0, "File").startsWith(QStringLiteral("customer-"))) << to_std(words(0, "File"));
+    EXPECT_TRUE(words(0, "File").startsWith(QStringLiteral("2025/customer-"))) << to_std(words(0, "File"));
     keep_dialog(QStringLiteral("impact"));
 
     const auto written = [&](const QString& name, const auto& write) {
@@ -111,6 +111,27 @@ TEST_F(ImpactSession, TellsWhoUsedACertificateWithoutNewFigures) {
     EXPECT_EQ(table().rowCount(), 5);
     EXPECT_EQ(part<QLabel>("impact_answer")->text(),
               QStringLiteral("16 projects and reports were looked at; 5 use the figures."));
+    answer_.file_to_save = folder_.filePath(QStringLiteral("users.txt"));
+    const QList<QAction*> saving = dialog().findChild<QMenu*>()->actions();
+    EXPECT_FALSE(saving.first()->isEnabled()) << "nothing was evaluated";
+    saving.last()->trigger();
+    const std::string list = read_file(to_path(answer_.file_to_save)).value_or("");
+    EXPECT_EQ(std::count(list.begin(), list.end(), '\n'), 5);
+}
+
+TEST_F(ImpactSession, EscapeStopsAndClosingEndsIt) {
+    ask(years + QStringLiteral("/standard/2026-as-found.covaria"));
+    evaluate();
+    dialog().evaluate();
+    EXPECT_EQ(table().rowCount(), 0) << "the results of another question";
+    QTest::keyClick(&dialog(), Qt::Key_Escape);
+    EXPECT_FALSE(dialog().is_busy());
+    EXPECT_TRUE(dialog().isVisible());
+    EXPECT_EQ(part<QLabel>("impact_answer")->text(), QStringLiteral("Stopped."));
+    dialog().evaluate();
+    dialog().close();
+    EXPECT_FALSE(dialog().is_busy());
+    EXPECT_FALSE(dialog().isVisible());
 }
 
 TEST_F(ImpactSession, BeginsAtTheCertificateOfAnEntry) {
