@@ -94,7 +94,7 @@ TEST_F(BestCapabilityTest, ASmallerUIsRaisedToItInTheCertificateAlone) {
     EXPECT_TRUE(states_conformity());
     EXPECT_NEAR(as_stated(*made_, evaluated_).front().result->outputs.front().expanded_uncertainty, least,
                 1e-6 * least);
-    EXPECT_NE(certificate().find("094) mm, k = 2.00"), std::string::npos) << certificate();
+    EXPECT_NE(certificate().find("094)\u00a0mm, k = 2.00"), std::string::npos) << certificate();
     EXPECT_NE(certificate().find("best measurement capability of the laboratory"), std::string::npos)
         << certificate();
     EXPECT_EQ(as_stated(*made_, evaluated_).front().result->outputs.front().coverage_factor, 2.0);
