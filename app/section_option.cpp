@@ -1,29 +1,18 @@
 #include "app/section_option.h"
 
 #include <CLI/CLI.hpp>
-#include <charconv>
 #include <cmath>
 
 #include "core/base/in_quotes.h"
 #include "core/base/unit.h"
+#include "ui/document/quantity_text.h"
+#include "ui/theme/strings.h"
 
 namespace covaria {
 namespace {
 
 Error not_a_section(const std::string& text) {
     return {ErrorCode::usage, in_quotes(text) + " is no section: write x=0.25 (m), -y=250mm or z"};
-}
-
-/// A length in m; without a unit it is in metres.
-std::optional<double> length_from(const std::string& text) {
-    double value = 0.0;
-    const char* const end = text.data() + text.size();
-    const auto read = std::from_chars(text.data(), end, value);
-    if (read.ec != std::errc() || !std::isfinite(value)) return std::nullopt;
-    if (read.ptr == end) return value;
-    const auto unit = Unit::parse(CLI::detail::trim_copy(std::string(read.ptr, end)));
-    if (!unit || unit->dimension() != Unit::of("m").dimension()) return std::nullopt;
-    return unit->to_si(value);
 }
 
 }  // namespace
@@ -39,9 +28,9 @@ Result<WantedSection> section_from(const std::string& text) {
     section.plane.axis = static_cast<int>(place);
     section.in_middle = equals == std::string::npos;
     if (section.in_middle) return section;
-    const auto at = length_from(CLI::detail::trim_copy(text.substr(equals + 1)));
-    if (!at) return fail(not_a_section(text));
-    section.plane.at = *at;
+    const auto at = ui::parse_quantity(ui::to_qt(text.substr(equals + 1)), Unit::of("m"), QLocale::c());
+    if (!at || !*at || !std::isfinite((*at)->si())) return fail(not_a_section(text));
+    section.plane.at = (*at)->si();
     return section;
 }
 
@@ -55,8 +44,7 @@ void add_section_option(CLI::App& command, std::optional<WantedSection>& section
                 section = *wanted;
             },
             "cut away what lies beyond a plane: x=0.25 (in m, or x=250mm), before it: -x=0.25; x alone: in "
-            "the "
-            "middle")
+            "the middle")
         ->type_name("AXIS[=LENGTH]");
 }
 

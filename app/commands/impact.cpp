@@ -102,11 +102,9 @@ Result<void> write_files(const ImpactArguments& arguments, const Impact& impact,
     if (!arguments.csv.empty())
         if (auto written = write_file_atomically(arguments.csv, to_csv(impact_table(impact))); !written)
             return written;
-    if (!arguments.amend.empty()) {
-        std::string list;
-        for (const std::string& name : impact.to_amend()) list += name + "\n";
-        if (auto written = write_file_atomically(arguments.amend, list); !written) return written;
-    }
+    if (!arguments.amend.empty())
+        if (auto written = write_file_atomically(arguments.amend, file_list(impact.to_amend())); !written)
+            return written;
     return arguments.output.empty() ? Result<void>{} : write_impact_document(arguments, impact, stop);
 }
 

@@ -168,6 +168,13 @@ private:
     FileImpact impact_;
 };
 
+/// The project with all analyses to first order.
+MadeProject::Pointer to_first_order(const MadeProject::Pointer& made) {
+    Project project = made->project();
+    for (AnalysisEntry& analysis : project.analyses) analysis.options.method = Method::first_order;
+    return MadeProject::make(std::move(project), made);
+}
+
 /// The name that old figures are called by: the digest of a file.
 std::string called(const std::string& old) {
     std::error_code failure;
@@ -253,6 +260,7 @@ Result<ImpactQuestion> question_of(const ImpactWords& words) {
     auto files = files_below(words.folders);
     if (!files) return fail(files.error());
     question.files = *std::move(files);
+    if (words.is_first_order) question.asked = to_first_order;
     return question;
 }
 

@@ -134,6 +134,12 @@ std::string file_in_folder(const std::string& path) {
     return (file.parent_path().filename() / file.filename()).string();
 }
 
+std::string file_list(const std::vector<std::string>& files) {
+    std::string list;
+    for (const std::string& file : files) list += file + "\n";
+    return list;
+}
+
 Table impact_table(const Impact& impact) {
     return ImpactColumns(impact.rows).make();
 }

@@ -14,6 +14,9 @@ namespace covaria {
 /// Name of a file with that of its folder, which tells equal names apart: "2025/customer-b.covaria".
 std::string file_in_folder(const std::string& path);
 
+/// The files as a text file has them, one on a line.
+std::string file_list(const std::vector<std::string>& files);
+
 /// The table of an impact, with a row for each measurand that the certificate reaches. It reads the impact,
 /// which must outlive it.
 Table impact_table(const Impact& impact);

@@ -25,17 +25,9 @@ namespace {
 
 constexpr int most_lines_of_failures = 8;
 
-/// The project with all analyses to first order.
-MadeProject::Pointer to_first_order(const MadeProject::Pointer& made) {
-    Project project = made->project();
-    for (AnalysisEntry& analysis : project.analyses) analysis.options.method = Method::first_order;
-    return MadeProject::make(std::move(project), made);
-}
-
 Result<Impact> find_impact(const ImpactWords& words, const RunControl& control) {
     auto question = question_of(words);
     if (!question) return fail(question.error());
-    if (words.is_first_order) question->asked = to_first_order;
     return impact_of(*question, control);
 }
 
@@ -53,12 +45,6 @@ void list_failures(QListWidget& list, const std::vector<ImpactFailure>& failures
     list.setVisible(list.count() > 0);
     const int lines = std::min(2 * list.count(), most_lines_of_failures);  // two for each
     list.setFixedHeight(lines * (list.fontMetrics().lineSpacing() + 4) + 8);
-}
-
-std::string listed(const std::vector<std::string>& files) {
-    std::string list;
-    for (const std::string& file : files) list += file + "\n";
-    return list;
 }
 
 }  // namespace
@@ -164,7 +150,7 @@ void ImpactDialog::fill_save_menu(QMenu& menu) {
     menu.addAction(tr("&List of Files …"), this, [this] {
         const QString file = ask_file(tr("Save the List"), QStringLiteral(".txt"), tr("Text (*.txt)"));
         if (!file.isEmpty())
-            write_text(file, listed(is_evaluated_ ? impact_->to_amend() : impact_->using_it));
+            write_text(file, file_list(is_evaluated_ ? impact_->to_amend() : impact_->using_it));
     });
 }
 

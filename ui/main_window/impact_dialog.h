@@ -1,5 +1,5 @@
-// What hangs on a certificate: asks for new figures and places, shows the results that they change, and
-// writes them. A window of its own, which stays while one looks at the files.
+// The results that hang on a certificate: asks for new figures and places, shows the results that they
+// change, and writes them. A window of its own, which stays while one looks at the files.
 #pragma once
 
 #include <QDialog>

@@ -58,7 +58,7 @@ public:
 signals:
     /// A place elsewhere in the project is wanted: a JSON pointer into it.
     void place_wanted(const QString& path);
-    /// What hangs on the certificate of this number is asked.
+    /// Somebody asks for the results that rest on the certificate of this number.
     void impact_wanted(const QString& certificate);
 
 private:
