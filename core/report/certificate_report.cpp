@@ -173,20 +173,19 @@ void add_results_of(Blocks& blocks, const ReportSource& source, const std::vecto
     add_left_out(blocks, source, shown, in);
 }
 
+bool are_all_raised(const MadeProject& made, const EvaluatedAnalysis& one) {
+    const auto findings = capability_findings(made, *one.result);
+    const auto raised = std::ranges::count(findings, CapabilityVerdict::raised, &CapabilityFinding::verdict);
+    return raised > 0 && static_cast<std::size_t>(raised) == measurand_count(one);
+}
+
 /// Those of the analyses that are shown of which a U is stated as it was evaluated.
 std::vector<EvaluatedAnalysis> as_evaluated(const MadeProject& made,
                                             const std::vector<EvaluatedAnalysis>& evaluated,
                                             const std::vector<EvaluatedAnalysis>& shown) {
-    std::vector<EvaluatedAnalysis> some = shown;
-    for (const EvaluatedAnalysis& one : evaluated) {
-        const auto findings = capability_findings(made, *one.result);
-        const bool is_all_raised = std::ranges::all_of(findings, [](const CapabilityFinding& finding) {
-            return finding.verdict == CapabilityVerdict::raised;
-        });
-        if (!findings.empty() && is_all_raised && findings.size() == measurand_count(one))
-            std::erase_if(
-                some, [&](const EvaluatedAnalysis& other) { return other.analysis->id == one.analysis->id; });
-    }
+    std::vector<EvaluatedAnalysis> some;
+    for (const EvaluatedAnalysis& one : evaluated)
+        if (is_among(one, shown) && !are_all_raised(made, one)) some.push_back(one);
     return some;
 }
 

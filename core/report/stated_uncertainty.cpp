@@ -20,27 +20,24 @@ struct NamedCapability {
     const BestCapability* capability;
 };
 
-/// Name of an asset of the laboratory that has errors, so that nobody knows what may be stated; empty: none.
-std::string unknown_capability(const MadeProject& made) {
-    for (const AssetEntry& asset : made.project().assets) {
-        const AssetDescriptor* kind = find_asset_kind(asset.kind);
-        if (kind && kind->category == AssetCategory::laboratory && !made.assets().find(asset.id))
-            return asset.name.empty() ? asset.id : asset.name;
-    }
-    return {};
-}
-
 struct Capabilities {
-    std::string unknown;  ///< one that has errors
+    std::string unknown;  ///< one with errors, so that nobody knows what may be stated; empty: none
     std::vector<NamedCapability> known;
 };
 
+bool is_of_laboratory(const AssetEntry& asset) {
+    const AssetDescriptor* kind = find_asset_kind(asset.kind);
+    return kind && kind->category == AssetCategory::laboratory;
+}
+
 Capabilities capabilities_of(const MadeProject& made) {
-    Capabilities found{unknown_capability(made), {}};
+    Capabilities found;
     for (const AssetEntry& asset : made.project().assets) {
         const AssetLibrary::Entry* entry = made.assets().find(asset.id);
         if (const auto* capability = entry ? offers<BestCapability>(entry->asset) : nullptr)
             found.known.push_back({asset.name, capability});
+        else if (!entry && found.unknown.empty() && is_of_laboratory(asset))
+            found.unknown = asset.name.empty() ? asset.id : asset.name;
     }
     return found;
 }
