@@ -142,8 +142,7 @@ Vector3<Real> circle_step(const CircleStart& start, const Points& point, std::si
     return (bc * gu + c.cross(a) * gv + a.cross(b) * g1) * Real(Real(1.0) / a.dot(bc));
 }
 
-template <class Real>
-Eigen::Vector3d values_of(const Vector3<Real>& v) {
+inline Eigen::Vector3d values_of(const Vector3<Dual>& v) {
     return {v[0].value(), v[1].value(), v[2].value()};
 }
 
@@ -165,7 +164,7 @@ CircleBegin<Real> begin_circle(const CircleStart& start, const Points& point, st
         // Values come to rest first, where steps cost little. Each step from there makes the partial
         // derivatives exact to a further power of the misses as parts of the radius.
         const Plane<double> values(values_of(plane.origin), values_of(plane.n));
-        const auto value = [&](std::size_t k) { return values_of<Dual>(point(k)); };
+        const auto value = [&](std::size_t k) { return values_of(point(k)); };
         Eigen::Vector3d at = values_of(circle);
         for (int k = 0; k < circle_steps; ++k) at += circle_step<double>(start, value, n, values, at);
         return {Vector3<Real>(Real(at[0]), Real(at[1]), Real(at[2])), dual_steps};

@@ -125,4 +125,14 @@ StewartSetup stewart_setup(int trials, double scale) {
     return setup;
 }
 
+Scene stewart_with_tracker() {
+    StewartSetup setup = stewart_setup(200);
+    LayoutBody tracker{"tracker", BodyKind::instrument};
+    tracker.glyph = "tracker";
+    tracker.X_WB.translation() = Eigen::Vector3d(2, 0, 1);
+    setup.layout.bodies.push_back(tracker);
+    setup.layout.links.push_back({"sight", LinkKind::sight_line, {2, 0, 1}, setup.layout.points[0].p_W});
+    return build_scene(setup.source(), {});
+}
+
 }  // namespace covaria::test

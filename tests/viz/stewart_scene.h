@@ -23,4 +23,7 @@ struct StewartSetup {
 /// uncertainties. Trials are normal, by a congruential generator: the same on every machine.
 StewartSetup stewart_setup(int trials, double scale = 1.0);
 
+/// With a tracker 2 m beside it, which sees its first point.
+Scene stewart_with_tracker();
+
 }  // namespace covaria::test

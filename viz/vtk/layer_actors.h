@@ -59,14 +59,16 @@ public:
 
 private:
     void rebuild(Layer layer, const Scene& scene, ScenePalette palette);
-    vtkRenderer* renderer_;
     void rebuild_caps(const Scene& scene);
     void cut(Layer layer, const LayerActor& item) const;
     void prepare(Layer layer, LayerActor& item, const View& view, const ShadingView& shading) const;
+
+    vtkRenderer* renderer_;
     Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
     ScenePalette palette_ = ScenePalette::light;
     SectionCut cut_;
-    std::array<std::vector<LayerActor>, layer_count> actors_, caps_;  ///< in the plane of the section
+    std::array<std::vector<LayerActor>, layer_count> actors_;
+    std::array<std::vector<LayerActor>, layer_count> caps_;  ///< of solids, in the plane of the section
 };
 
 /// Guards the building of meshes, which uses objects that VTK and we share within the process.

@@ -17,16 +17,6 @@ namespace {
 constexpr PictureSize size{1280, 800};
 const auto everything = [](Layer) { return true; };
 
-Scene stewart() {
-    auto setup = test::stewart_setup(200);
-    LayoutBody tracker{"tracker", BodyKind::instrument};
-    tracker.glyph = "tracker";
-    tracker.X_WB.translation() = Eigen::Vector3d(2, 0, 1);
-    setup.layout.bodies.push_back(tracker);
-    setup.layout.links.push_back({"sight", LinkKind::sight_line, {2, 0, 1}, setup.layout.points[0].p_W});
-    return build_scene(setup.source(), {});
-}
-
 Scene cut(Scene scene, const SectionPlane& section) {
     scene.section = section;
     return scene;
@@ -54,11 +44,11 @@ TEST(Section, EitherSideOfAPlaneIsCutAway) {
         EXPECT_FALSE((SectionPlane{axis, 0.25, false}.hides(beyond)));
         EXPECT_DOUBLE_EQ((SectionPlane{axis, 0.25, true}.depth_of(beyond)), 0.3 - 0.25);
     }
-    EXPECT_FALSE(is_cut_away(stewart(), {100, 100, 100})) << "there is no section";
+    EXPECT_FALSE(is_cut_away(test::stewart_with_tracker(), {100, 100, 100})) << "there is no section";
 }
 
 TEST(Section, BeginsInTheMiddleWithTheSideOfTheEyeCutAway) {
-    const Scene scene = stewart();
+    const Scene scene = test::stewart_with_tracker();
     const SceneBounds bounds = bounds_of_items(scene);
     for (const StandardView view :
          {StandardView::iso, StandardView::top, StandardView::front, StandardView::left})
@@ -75,7 +65,7 @@ TEST(Section, BeginsInTheMiddleWithTheSideOfTheEyeCutAway) {
 }
 
 TEST(Section, StepsAreRoundNumbersOverTheWhole) {
-    const Scene scene = stewart();
+    const Scene scene = test::stewart_with_tracker();
     const SceneBounds bounds = bounds_of_items(scene);
     for (int axis = 0; axis < 3; ++axis) {
         const SectionSteps steps = steps_of_section(scene, axis);
@@ -93,7 +83,7 @@ TEST(Section, StepsAreRoundNumbersOverTheWhole) {
 }
 
 TEST(Section, WordsAndMarksOfWhatIsCutAwayAreGone) {
-    const Scene whole = stewart();
+    const Scene whole = test::stewart_with_tracker();
     EXPECT_EQ(left_by_section(whole), whole);
     const double middle = find_item(whole, "point:p1")->position.z() / 2;
     const Scene scene = left_by_section(cut(whole, {2, middle, true}));  // the upper plate goes
@@ -117,7 +107,7 @@ TEST(Section, WordsAndMarksOfWhatIsCutAwayAreGone) {
 }
 
 TEST(Section, WhatIsCutAwayIsNotPicked) {
-    const Scene whole = stewart();
+    const Scene whole = test::stewart_with_tracker();
     const Camera top = view_of(bounds_of(whole), StandardView::top, size);
     const Eigen::Vector3d p = find_item(whole, "point:p2")->position, on_base(0.25, 0.15, 0);
     const double middle = p.z() / 2;
@@ -147,7 +137,7 @@ TEST(Section, AnEllipsoidThatIsOpenedIsPickedByItsInside) {
 }
 
 TEST(Section, NeitherTrialsNorAxesOfWhatIsCutAwayAreGrasped) {
-    const Scene whole = stewart();
+    const Scene whole = test::stewart_with_tracker();
     const Camera top = view_of(bounds_of(whole), StandardView::top, size);
     const SceneCloud& cloud = whole.clouds.front();
     const Eigen::Vector3d dot = cloud.dot(3);
@@ -157,9 +147,9 @@ TEST(Section, NeitherTrialsNorAxesOfWhatIsCutAwayAreGrasped) {
 }
 
 TEST(Section, IsToldByTheDump) {
-    const Scene scene = cut(stewart(), {1, 0.25, false});
+    const Scene scene = cut(test::stewart_with_tracker(), {1, 0.25, false});
     EXPECT_NE(dump_scene(scene).find("section across y at 250 hides low\n"), std::string::npos);
-    EXPECT_EQ(dump_scene(stewart()).find("section"), std::string::npos);
+    EXPECT_EQ(dump_scene(test::stewart_with_tracker()).find("section"), std::string::npos);
 }
 
 }  // namespace

@@ -13,16 +13,6 @@ namespace {
 
 constexpr PictureSize size{1280, 800};
 
-Scene stewart() {
-    auto setup = test::stewart_setup(200);
-    LayoutBody tracker{"tracker", BodyKind::instrument};
-    tracker.glyph = "tracker";
-    tracker.X_WB.translation() = Eigen::Vector3d(2, 0, 1);
-    setup.layout.bodies.push_back(tracker);
-    setup.layout.links.push_back({"sight", LinkKind::sight_line, {2, 0, 1}, setup.layout.points[0].p_W});
-    return build_scene(setup.source(), {});
-}
-
 bool has(const Scene& scene, const char* id) {
     return find_item(scene, id) != nullptr;
 }
@@ -32,27 +22,29 @@ bool has_label(const Scene& scene, const char* id) {
 }
 
 TEST(Visibility, NothingHiddenIsTheSceneItself) {
-    EXPECT_EQ(visible_part(stewart(), {}), stewart());
-    EXPECT_EQ(visible_part(stewart(), {{"body:nowhere"}, {}}), stewart())
+    EXPECT_EQ(visible_part(test::stewart_with_tracker(), {}), test::stewart_with_tracker());
+    EXPECT_EQ(visible_part(test::stewart_with_tracker(), {{"body:nowhere"}, {}}),
+              test::stewart_with_tracker())
         << "what is not there is not missed";
-    EXPECT_EQ(visible_part(stewart(), {{}, "body:nowhere"}), stewart());
+    EXPECT_EQ(visible_part(test::stewart_with_tracker(), {{}, "body:nowhere"}), test::stewart_with_tracker());
 }
 
 TEST(Visibility, ABodyGoesWithItsAxesAndLines) {
-    const Scene scene = visible_part(stewart(), {{"body:tracker"}, {}});
+    const Scene scene = visible_part(test::stewart_with_tracker(), {{"body:tracker"}, {}});
     for (const char* id : {"body:tracker", "axes:tracker", "link:sight"}) {
-        EXPECT_TRUE(has(stewart(), id)) << id;
+        EXPECT_TRUE(has(test::stewart_with_tracker(), id)) << id;
         EXPECT_FALSE(has(scene, id)) << id;
     }
-    EXPECT_TRUE(has_label(stewart(), "body:tracker"));
+    EXPECT_TRUE(has_label(test::stewart_with_tracker(), "body:tracker"));
     EXPECT_FALSE(has_label(scene, "body:tracker"));
     EXPECT_TRUE(has(scene, "body:base") && has(scene, "point:b1"));
-    EXPECT_EQ(scene.axes, stewart().axes) << "the picture does not jump";
-    EXPECT_EQ(scene.legend.size() + 1, stewart().legend.size()) << "no line of sight is left";
+    EXPECT_EQ(scene.axes, test::stewart_with_tracker().axes) << "the picture does not jump";
+    EXPECT_EQ(scene.legend.size() + 1, test::stewart_with_tracker().legend.size())
+        << "no line of sight is left";
 }
 
 TEST(Visibility, ALineOfSightGoesWithThePointThatIsSeen) {
-    const Scene whole = stewart();
+    const Scene whole = test::stewart_with_tracker();
     const std::string seen = "point:" + test::stewart_setup(200).layout.points[0].name;
     ASSERT_TRUE(has(whole, seen.c_str()));
     EXPECT_FALSE(has(visible_part(whole, {{seen}, {}}), "link:sight"));
@@ -62,7 +54,7 @@ TEST(Visibility, ALineOfSightGoesWithThePointThatIsSeen) {
 
 /// One field says where an instrument stands: its place, its axes and its body are one thing.
 TEST(Visibility, AnInstrumentIsHiddenByItsPlaceOrItsAxes) {
-    Scene scene = stewart();
+    Scene scene = test::stewart_with_tracker();
     for (SceneBody& body : scene.bodies)
         if (body.item.id == "body:tracker") body.item.source = {"/station", true};
     for (SceneFrame& frame : scene.frames)
@@ -81,30 +73,31 @@ TEST(Visibility, AnInstrumentIsHiddenByItsPlaceOrItsAxes) {
 }
 
 TEST(Visibility, PointsOfAHiddenPlateStay) {
-    const Scene scene = visible_part(stewart(), {{"body:moving platform", "point:p2"}, {}});
+    const Scene scene =
+        visible_part(test::stewart_with_tracker(), {{"body:moving platform", "point:p2"}, {}});
     EXPECT_FALSE(has(scene, "body:moving platform"));
     EXPECT_TRUE(has(scene, "point:p1") && has_label(scene, "point:p1"));
     EXPECT_FALSE(has(scene, "point:p2") || has_label(scene, "point:p2"));
     const auto of_p2 = [](const auto& each) { return each.item.id == "point:p2"; };
     EXPECT_TRUE(std::none_of(scene.ellipsoids.begin(), scene.ellipsoids.end(), of_p2));
     EXPECT_TRUE(std::none_of(scene.clouds.begin(), scene.clouds.end(), of_p2));
-    EXPECT_EQ(scene.clouds.size() + 1, stewart().clouds.size());
+    EXPECT_EQ(scene.clouds.size() + 1, test::stewart_with_tracker().clouds.size());
 }
 
 TEST(Visibility, AloneIsAnItemWithWhatStandsOnIt) {
-    const Scene scene = visible_part(stewart(), {{}, "body:moving platform"});
+    const Scene scene = visible_part(test::stewart_with_tracker(), {{}, "body:moving platform"});
     ASSERT_EQ(scene.bodies.size(), 1U);
     EXPECT_EQ(scene.points.size(), 3U);
     EXPECT_EQ(scene.points.front().item.id, "point:p1");
     EXPECT_EQ(scene.ellipsoids.size(), 3U);
     EXPECT_TRUE(scene.links.empty());
-    const SceneBounds all = bounds_of(stewart()), alone = bounds_of(scene);
+    const SceneBounds all = bounds_of(test::stewart_with_tracker()), alone = bounds_of(scene);
     EXPECT_LT((alone.high - alone.low).norm(), (all.high - all.low).norm()) << "fit shows it larger";
-    EXPECT_EQ(visible_part(stewart(), {{}, "point:b1"}).points.size(), 1U);
+    EXPECT_EQ(visible_part(test::stewart_with_tracker(), {{}, "point:b1"}).points.size(), 1U);
 }
 
 TEST(SavedCamera, ComesBackInAPictureOfAnyForm) {
-    Camera camera = view_of(bounds_of(stewart()), StandardView::iso, size);
+    Camera camera = view_of(bounds_of(test::stewart_with_tracker()), StandardView::iso, size);
     camera.perspective = true;
     const Visibility visibility{{"body:base", "link:sight"}, "body:tracker"};
     const SavedView view = saved_view("door", camera, size, visibility);
