@@ -125,6 +125,34 @@ def correlated(book):
         book.add(f"Two quantities observed together {n} times", CLOSED, ["JCGM 100:2008, 5.2.3", "JCGM 100:2008, G.4.1"], checks)
 
 
+def copulas(book):
+    """Rectangular quantities whose stated coefficients are the least that exist: no normal scores have them, the nearest ones have r = 6/π asin(-1/4)."""
+    stated, drawn = mp.mpf("-0.5"), 6 / mp.pi * mp.asin(mp.mpf("-0.25"))
+    symbols = ("a", "b", "c")
+    for number, weights in enumerate(((1, 1, 2), (1, -2, 3))):
+        terms = " + ".join(f"{w}*{s}" for w, s in zip(weights, symbols)).replace("+ -", "- ")
+        e = book.equation(f"copula-{number + 1}", f"Three rectangular quantities with r = -0.5, weights {weights}", [f"y = {terms}"], [[s, 0, "rectangular", 1] for s in symbols], STANDARD,
+                          correlations=[{"first": a, "second": b, "coefficient": -0.5} for a, b in ("ab", "ac", "bc")])
+        squares, products = sum(w * w for w in weights), sum(weights) ** 2 - sum(w * w for w in weights)
+        u, of_trials = (mp.sqrt((squares + r * products) / 3) for r in (stated, drawn))
+        checks = book.own_line(e, 0, u, mp.inf) + [single(e, "mc-u", "u, Monte Carlo", of_trials, scatter=float(mp.nstr(of_trials / mp.sqrt(TRIALS), 4)), condition=None)]
+        checks[-1].pop("condition")
+        book.add(f"Correlated rectangular quantities at the bound of what normal scores have, weights {weights}", CLOSED, ["JCGM 101:2008, 6.4.8", "JCGM 101:2008, 5.11.6"],
+                 naive(checks, "mc-u", mp.sqrt(mp.mpf(squares) / 3), "draws them independently"))
+
+
+def roots(book):
+    for key, name, equation, row, unit, y, part in (("edge", "Edge of a square by its area", "y = sqrt(A)", ["A", 400, "mm^2", "standard", 2], "mm", 20, 2),
+                                                   ("cube", "Edge of a cube by its volume", "y = cbrt(V)", ["V", 8000, "mm^3", "standard", 24], "mm", 20, 3),
+                                                   ("ball", "Diameter of a ball by its mass and density", "y = cbrt(6*m/(pi*rho))", ["m", 4.5, "g", "standard", 0.003], "mm", None, 3)):
+        rows = [row] + ([["rho", 7.8, "g/cm^3", "constant", None]] if y is None else [])
+        y = mp.mpf(y) if y else 10 * mp.cbrt(6 * mp.mpf("4.5") / (mp.pi * mp.mpf("7.8")))
+        e = book.equation(f"root-{key}", name, [equation], rows, ["symbol", "value", "unit", "statement", "a"], unit, FIRST)
+        u = y * mp.mpf(str(row[4])) / row[1] / part
+        checks = naive(book.own_line(e, y / 1000, u / 1000, mp.inf, unit=unit, condition=32), "u", u * part, "carries the relative uncertainty over without the exponent")
+        book.add(name, CLOSED, ["JCGM 100:2008, 5.1.6"], checks)
+
+
 def resolution(book):
     for n, step in ((3, 0.1), (5, 0.01), (10, 1.0)):
         e = book.equation(f"resolution-{n}", f"{n} readings that are all the same", ["y = x + d"], [["x", None, "observations", None], ["d", 0, "resolution", step]], STANDARD, None, FIRST,
@@ -346,7 +374,7 @@ def order_statistics(book):
 def main():
     book = Negative("negative", "Where a naive evaluation goes wrong",
                     "Correlated quantities, resolution, few observations, strongly non-linear models, bounds, limits that are not symmetric, joint results, conformity. Each has the figure of a naive evaluation beside its own: see covaria verify.")
-    for add in (correlated, resolution, few, nonlinear, bounded, joint, conformity, effective, student, order_statistics):
+    for add in (correlated, copulas, roots, resolution, few, nonlinear, bounded, joint, conformity, effective, student, order_statistics):
         add(book)
     book.write("Negative cases: closed forms at 50 digits with the figure of a naive evaluation, made by tests/reference/cases/negative.py")
 

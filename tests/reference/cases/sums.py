@@ -106,6 +106,12 @@ def main():
                    check("a normal distribution describes it", "mc-normal", normal, absolute=1e-9)]
         book.cases.append({"project": "resources/verification/sums.covaria", "title": f"Sum of a quantity that is {name} and a rectangular one", "source": CLOSED,
                            "clauses": ["JCGM 101:2008, 5.3.2", "JCGM 101:2008, 7"], "checks": checks})
+    for trials, deviates in ((200, False), (40000, True)):  # 9 % of the width lie within what 200 trials tell
+        entry = book.analysis(f"trials-{trials}", "measurement-equation", f"{trials} trials", {"equations": "y = x + r", "quantities": {
+            "columns": ["symbol", "value", "statement", "a"], "rows": [["x", 1, "rectangular", 2], ["r", 0, "rectangular", float(HALF)]]}}, {"trials": trials})
+        check = {"what": f"a normal distribution describes it, as far as {trials} trials tell", "analysis": entry["id"], "output": "y", "figure": "mc-normal", "reference": float(not deviates), "absolute": 1e-9}
+        book.cases.append({"project": "resources/verification/sums.covaria", "title": f"Verdict on a normal distribution of {trials} trials", "source": CLOSED,
+                           "clauses": ["JCGM 101:2008, 8"], "checks": [check]})
     book.write("Sums: distribution functions at 50 digits, made by tests/reference/cases/sums.py")
 
 
