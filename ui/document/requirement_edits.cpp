@@ -30,6 +30,11 @@ const Requirement* find_requirement(const AnalysisEntry& analysis, const OutputQ
     return found == analysis.requirements.end() ? nullptr : &*found;
 }
 
+QString complaint_of_target(const std::optional<Quantity>& target) {
+    if (!target || target->value > 0.0) return {};
+    return to_qt(tell<"the %1 must be greater than zero">(tell<"target uncertainty">()));
+}
+
 QString complaint_of_limits(const std::optional<Quantity>& lower, const std::optional<Quantity>& upper) {
     if (!lower || !upper || lower->si() < upper->si()) return {};
     return to_qt(tell<"the %1 must be above the lower limit">(tell<"upper limit">()));

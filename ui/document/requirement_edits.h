@@ -14,6 +14,8 @@ bool is_about(const Requirement& requirement, const OutputQuantity& output);
 /// Null: nothing is required of the output.
 const Requirement* find_requirement(const AnalysisEntry& analysis, const OutputQuantity& output);
 
+/// A complaint about a target uncertainty that is not above zero; else empty.
+QString complaint_of_target(const std::optional<Quantity>& target);
 /// A complaint where the limits of a tolerance are in the wrong order; else empty.
 QString complaint_of_limits(const std::optional<Quantity>& lower, const std::optional<Quantity>& upper);
 

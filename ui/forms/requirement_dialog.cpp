@@ -35,6 +35,13 @@ QString names_of(const std::vector<OutputQuantity>& outputs) {
     return names.join(QStringLiteral(", "));
 }
 
+/// Marks an edit with what is wrong with it, and goes there; whether nothing is.
+bool is_fine(QuantityEdit& edit, const QString& complaint) {
+    edit.set_complaint(complaint);
+    if (!complaint.isEmpty()) edit.setFocus();
+    return complaint.isEmpty();
+}
+
 }  // namespace
 
 RequirementDialog::RequirementDialog(const std::vector<OutputQuantity>& outputs, const Requirement* now,
@@ -73,22 +80,26 @@ RequirementDialog::RequirementDialog(const std::vector<OutputQuantity>& outputs,
         finish_typing();
         for (const Row& row : rows_)
             if (!row.edit->is_valid()) return row.edit->setFocus();
-        if (!are_limits_in_order()) return;
+        if (!is_target_positive() || !are_limits_in_order()) return;
         accept();
     });
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
 }
 
+QuantityEdit& RequirementDialog::edit_of(std::string_view key) {
+    return *std::ranges::find(rows_, key, [](const Row& row) {
+                return std::string_view(row.field.key);
+            })->edit;
+}
+
+bool RequirementDialog::is_target_positive() {
+    QuantityEdit& target = edit_of("targetUncertainty");
+    return is_fine(target, complaint_of_target(target.quantity()));
+}
+
 bool RequirementDialog::are_limits_in_order() {
-    QuantityEdit *lower = nullptr, *upper = nullptr;
-    for (const Row& row : rows_) {
-        if (row.field.key == std::string_view("lowerLimit")) lower = row.edit;
-        if (row.field.key == std::string_view("upperLimit")) upper = row.edit;
-    }
-    const QString complaint = complaint_of_limits(lower->quantity(), upper->quantity());
-    upper->set_complaint(complaint);
-    if (!complaint.isEmpty()) upper->setFocus();
-    return complaint.isEmpty();
+    QuantityEdit& upper = edit_of("upperLimit");
+    return is_fine(upper, complaint_of_limits(edit_of("lowerLimit").quantity(), upper.quantity()));
 }
 
 void RequirementDialog::apply_to(Requirement& requirement) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QDialog>
+#include <string_view>
 #include <vector>
 
 #include "core/project/requirement_fields.h"
@@ -31,6 +32,9 @@ private:
         QuantityEdit* edit;
         bool is_typed = false;
     };
+    QuantityEdit& edit_of(std::string_view key);
+    /// Marks the target uncertainty where it is not above zero.
+    bool is_target_positive();
     /// Marks the upper limit where it is not above the lower one.
     bool are_limits_in_order();
 

@@ -85,6 +85,8 @@ QString RequirementCells::require(const UncertaintyResult& result, std::size_t o
         const Requirement* now = find_requirement(*entry, of);
         Requirement then = now ? *now : Requirement{};
         set_value(then, field, *quantity);
+        if (const QString wrong = complaint_of_target(then.target_uncertainty); !wrong.isEmpty())
+            return wrong;
         if (const QString wrong = complaint_of_limits(then.lower_limit, then.upper_limit); !wrong.isEmpty())
             return wrong;
     }

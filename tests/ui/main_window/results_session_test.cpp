@@ -229,11 +229,16 @@ TEST_F(ResultsSession, OneDialogRequiresOfAllSelectedResults) {
         ASSERT_NE(target, nullptr);
         target->setFocus();
         target->selectAll();
+        QTest::keyClicks(target, QStringLiteral("-1 um"));
+        auto* ok = dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok);
+        ok->click();
+        EXPECT_TRUE(dialog->isVisible()) << "a target uncertainty is above zero";
+        target->selectAll();
         QTest::keyClicks(target, QStringLiteral("70 um"));
         auto* upper = dialog->findChild<QLineEdit*>(QStringLiteral("upperLimit"));
         ASSERT_NE(upper, nullptr);
         upper->setFocus();
-        dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok)->click();
+        ok->click();
     });
     auto* require = tab.findChild<QPushButton*>(QStringLiteral("require"));
     ASSERT_NE(require, nullptr);
@@ -296,6 +301,9 @@ TEST_F(ResultsSession, RequirementsAreTypedInTheTable) {
     EXPECT_EQ(view.currentIndex().row(), 1);
     EXPECT_EQ(view.currentIndex().column(), column("Target")) << "the next one is typed from here";
 
+    type(0, "Target", QStringLiteral("-1 um"));
+    EXPECT_EQ(window_->document().undo_stack().index(), steps + 1) << "below zero";
+    EXPECT_TRUE(table().index(0, column("Target")).data(Qt::BackgroundRole).isValid());
     type(0, "Upper limit", QStringLiteral("x"));
     EXPECT_EQ(window_->document().undo_stack().index(), steps + 1);
     EXPECT_EQ(words(0, "Upper limit"), QStringLiteral("x")) << "as it was typed";
