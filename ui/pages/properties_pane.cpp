@@ -219,7 +219,11 @@ void PropertiesPane::summarise() {
 
 void PropertiesPane::discard_if_gone() {
     if (forms_.setup && !find_setup(document_.project(), forms_.setup->address())) rebuild();
-    if (hint_) hint_->setText(hint_in(document_.project()));  // entries come and go with undo, too
+    if (!hint_) return;
+    if (find_setup(document_.project(), selection_.entry()))  // its removal was undone
+        rebuild();
+    else
+        hint_->setText(hint_in(document_.project()));
 }
 
 /// Shows the field selected elsewhere; the keyboard stays where it is.

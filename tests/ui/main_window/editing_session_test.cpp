@@ -5,6 +5,7 @@
 
 #include "tests/ui/main_window/session_fixture.h"
 #include "ui/document/project_edits.h"
+#include "ui/forms/setup_form.h"
 #include "ui/pages/outputs_tab.h"
 #include "ui/pages/sortable_table.h"
 
@@ -188,6 +189,11 @@ TEST_F(EditingSession, DeletingAnAssetNamesWhatDependsOnIt) {
     trigger(QStringLiteral("Delete"));
     EXPECT_FALSE(names_in_tree().contains(QStringLiteral("2D artefact")));
     EXPECT_TRUE(problems().join(QLatin1Char('\n')).contains(QStringLiteral("artefact-2d")));
+    trigger(QStringLiteral("Undo Delete 2D artefact"));
+    settle();
+    auto* form = window_->properties().findChild<SetupForm*>();
+    ASSERT_NE(form, nullptr) << "it is selected again, and shown";
+    EXPECT_EQ(form->address().id, "artefact-2d");
 }
 
 TEST_F(EditingSession, AClickOnAProblemGoesToTheField) {
