@@ -85,10 +85,10 @@ TEST(DependentOutputs, HaveResultsAndNoEllipsoid) {
         EXPECT_TRUE(region.singular);
         EXPECT_FALSE(region.ellipsoid_monte_carlo);
         EXPECT_TRUE(region.rectangle_monte_carlo);
+        if (result.trials <= 100) continue;
         for (const OutputResult& y : result.outputs)
-            if (result.trials > 100)
-                EXPECT_NEAR(y.standard_uncertainty / y.first_order.standard_uncertainty, 1.0,
-                            6.0 / std::sqrt(2.0 * static_cast<double>(result.trials)));
+            EXPECT_NEAR(y.standard_uncertainty / y.first_order.standard_uncertainty, 1.0,
+                        6.0 / std::sqrt(2.0 * static_cast<double>(result.trials)));
     }
 }
 

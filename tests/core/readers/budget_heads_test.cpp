@@ -40,9 +40,10 @@ TEST(BudgetHeads, EveryKnownWordIsItsColumnInCapitalsAndWithItsSymbol) {
             EXPECT_EQ(key_of(read.column), std::string(key_of(word.column))) << head;
         }
         for (const BudgetSymbol& symbol : budget_symbols())
-            if (symbol.column == word.column && word.column != BudgetColumn::unread)
+            if (symbol.column == word.column && word.column != BudgetColumn::unread) {
                 EXPECT_EQ(budget_head_of(std::string(word.words) + " " + symbol.symbol).column, word.column)
                     << word.words << " " << symbol.symbol;
+            }
         EXPECT_FALSE(budget_head_of("xyzzy " + std::string(word.words)).understood) << word.words;
         EXPECT_FALSE(budget_head_of(std::string(word.words) + "xyzzy").understood) << word.words;
     }

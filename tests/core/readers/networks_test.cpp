@@ -294,8 +294,12 @@ TEST(ReadGama, AResectionWithASightFromOutsidePlacesItsPoint) {
     ASSERT_TRUE(read) << read.error().message.english();
     EXPECT_EQ(errors_of(*read), "");
     for (const OutputResult& output : first_order(*read).outputs) {
-        if (output.quantity.symbol == "x") EXPECT_NEAR(output.estimate, 60.0, 0.01);
-        if (output.quantity.symbol == "y") EXPECT_NEAR(output.estimate, 80.0, 0.01);
+        if (output.quantity.symbol == "x") {
+            EXPECT_NEAR(output.estimate, 60.0, 0.01);
+        }
+        if (output.quantity.symbol == "y") {
+            EXPECT_NEAR(output.estimate, 80.0, 0.01);
+        }
     }
 }
 
