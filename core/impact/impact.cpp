@@ -30,8 +30,10 @@ double ratio_of(double change, double to) {
 }
 
 bool is_project_or_pdf(const fs::path& file) {
-    const std::string ending = file.extension().string();
-    return ending == ".covaria" || ending == ".pdf" || ending == ".PDF";
+    std::string ending = file.extension().string();
+    for (char& c : ending)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return ending == ".covaria" || ending == ".pdf";
 }
 
 /// The answer of one file.

@@ -119,10 +119,31 @@ private:
     const std::vector<std::string>& symbols_;
 };
 
+void keep(Setup& made, const Setup& old, const std::string& key) {
+    const auto value = old.values.find(key);
+    if (value == old.values.end())
+        made.values.erase(key);
+    else
+        made.values[key] = value->second;
+}
+
+/// Poses say where an item stands in this project, which no certificate of it knows.
+void keep_places(Setup& made, const AssetEntry& asset) {
+    const SetupSchema* schema = schema_of(asset);
+    if (!schema) return;
+    for (const FieldSpec& field : schema->fields()) {
+        if (field.kind != FieldKind::pose) continue;
+        keep(made, asset.setup, field.key);
+        if (field.photogrammetric_if) keep(made, asset.setup, field.photogrammetric_if->key);
+    }
+}
+
 Result<void> replace_figures(AssetEntry& asset, std::size_t certificate, const NewFigures& figures) {
     const auto other = counterpart(asset, figures.assets, figures);
     if (!other) return fail(other.error());
-    asset.setup = (*other)->setup;
+    Setup setup = (*other)->setup;
+    keep_places(setup, asset);
+    asset.setup = std::move(setup);
     replace_certificate(asset.certificates, certificate, (*other)->certificates);
     return {};
 }
@@ -161,7 +182,7 @@ Result<NewFigures> figures_of(LoadedProject loaded, const std::string& file) {
 Result<NewFigures> read_by_reader(const std::string& bytes, const std::string& file) {
     const std::string name = fs::path(file).filename().string();
     const auto reader = reader_for(bytes, name);
-    if (!reader) return fail(reader.error());
+    if (!reader) return fail(reader.error().code, tell<"%1: %2">(file, reader.error().message));
     auto proposals = read_proposals(**reader, bytes, {.file_name = name});
     if (!proposals) return fail(ErrorCode::bad_input, tell<"%1: %2">(file, proposals.error().message));
     return NewFigures{file, std::move(proposals->assets), std::move(proposals->analyses)};

@@ -127,6 +127,36 @@ TEST(Impact, IsThatOfBruteForceOverAFolder) {
                   std::max(std::abs(impact->rows[i].change_in_U()), std::abs(impact->rows[i].change_of_U())));
 }
 
+TEST(Impact, ANewCertificateKnowsNotWhereTheInstrumentStands) {
+    Project project = load_project(data_directory() / "projects/tracker-pose.covaria").project;
+    const auto tracker = std::ranges::find(project.assets, "spherical-instrument", &AssetEntry::kind);
+    ASSERT_NE(tracker, project.assets.end());
+    ASSERT_TRUE(tracker->setup.values.contains("station")) << "it stands somewhere";
+    AssetCertificate certificate;
+    certificate.number = "T-1";
+    tracker->certificates = {certificate};
+    for (AnalysisEntry& analysis : project.analyses) analysis.options.method = Method::first_order;
+    InventedFolder nothing(0, "T-1");
+    fs::create_directories(nothing.folder);
+    ASSERT_TRUE(save_project(project, nothing.folder / "pose.covaria"));
+    Project anew = project;
+    AssetEntry& other = anew.assets[std::size_t(tracker - project.assets.begin())];
+    other.certificates[0].number = "T-2";
+    for (const bool elsewhere : {true, false}) {
+        if (elsewhere)
+            other.setup.values["station"] = PoseValue{.position = {7000.0, -2000.0, 900.0}};
+        else
+            other.setup.values.erase("station");
+        const auto impact = impact_of(nothing.question("T-1", anew));
+        ASSERT_TRUE(impact);
+        ASSERT_FALSE(impact->rows.empty());
+        for (const ImpactRow& row : impact->rows) {
+            EXPECT_EQ(row.change(), 0.0) << row.before.stated;
+            EXPECT_EQ(row.change_of_U(), 0.0) << row.before.stated;
+        }
+    }
+}
+
 TEST(Impact, IsTheSameForAnyNumberOfThreads) {
     const InventedFolder invented(40, "K-1");
     const ImpactQuestion question = invented.question("K-1", recalibrated(50.0003, 5e-5));
