@@ -118,11 +118,17 @@ bool is_within(const ClassLimits& limits, const ProvingSetup& setup, const Provi
 
 void find_classes(const ProvingSetup& setup, ProvingFigures& figures) {
     for (std::size_t i = 0; i < setup.steps.size(); ++i)
-        for (std::size_t k = setup.classes.size(); k-- > 0;)
-            if (is_within(setup.classes[k], setup, figures, i)) figures.steps[i].found_class = k;
+        for (const ClassLimits& limits : setup.classes)
+            figures.steps[i].is_of_class.push_back(is_within(limits, setup, figures, i));
 }
 
 }  // namespace
+
+std::optional<std::size_t> StepFigures::first_class() const {
+    const auto found = std::ranges::find(is_of_class, true);
+    return found == is_of_class.end() ? std::nullopt
+                                      : std::optional(std::size_t(found - is_of_class.begin()));
+}
 
 double StepFigures::combined() const {
     double squares = 0.0;

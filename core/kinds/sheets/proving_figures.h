@@ -30,15 +30,16 @@ inline constexpr std::size_t force_parts = std::size_t(ForcePart::count);
 
 /// A step; errors and uncertainties are relative to the deflection.
 struct StepFigures {
-    double mean = 0.0;                            ///< mean deflection of the rotations, V/V
-    double fitted = 0.0;                          ///< of the interpolation
-    double b = 0.0;                               ///< (largest - smallest)/mean of X1, X3, X5
-    double b_same = 0.0;                          ///< |X2 - X1| over their mean
-    double f_c = 0.0;                             ///< (mean - fitted)/fitted
-    std::optional<double> v;                      ///< mean of |X4' - X3|/|X3| and |X6' - X5|/|X5|
-    std::array<double, 2> turned{};               ///< contrasts of the rotations over sqrt 6: V/V
-    std::array<double, force_parts> parts{};      ///< standard uncertainties
-    std::optional<std::size_t> found_class = {};  ///< index in the limits
+    double mean = 0.0;                               ///< mean deflection of the rotations, V/V
+    double fitted = 0.0;                             ///< of the interpolation
+    double b = 0.0;                                  ///< (largest - smallest)/mean of X1, X3, X5
+    double b_same = 0.0;                             ///< |X2 - X1| over their mean
+    double f_c = 0.0;                                ///< (mean - fitted)/fitted
+    std::optional<double> v;                         ///< mean of |X4' - X3|/|X3| and |X6' - X5|/|X5|
+    std::array<double, 2> turned{};                  ///< contrasts of the rotations over sqrt 6: V/V
+    std::array<double, force_parts> parts{};         ///< standard uncertainties
+    std::vector<bool> is_of_class = {};              ///< whether it is within the limits of each class
+    std::optional<std::size_t> first_class() const;  ///< index of the first class that it is of
 
     double part(ForcePart part) const { return parts[std::size_t(part)]; }
     double combined() const;

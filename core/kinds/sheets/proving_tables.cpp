@@ -27,8 +27,9 @@ Table errors_table(const ProvingSetup& setup, const ProvingFigures& figures) {
     if (!setup.classes.empty()) table.add("class");
     for (std::size_t i = 0; i < setup.steps.size(); ++i) {
         const StepFigures& step = figures.steps[i];
-        table.row({setup.steps[i].force, step.mean, step.b, step.b_same, step.f_c, cell_of(step.v),
-                   step.found_class ? Cell(setup.classes[*step.found_class].name) : Cell(tell<"none">())});
+        table.row(
+            {setup.steps[i].force, step.mean, step.b, step.b_same, step.f_c, cell_of(step.v),
+             step.first_class() ? Cell(setup.classes[*step.first_class()].name) : Cell(tell<"none">())});
     }
     if (setup.classes.empty())
         table.notes.push_back(tell<"No limits of classes are entered: no class is found.">());
@@ -53,7 +54,8 @@ Table figures_table(const ProvingSetup& setup, const ProvingFigures& figures) {
     return table;
 }
 
-/// The steps from which up every one is of the class or better.
+/// The steps from which up every one is within the limits of the class itself: one row of limits need not be
+/// stricter than the next.
 Table classes_table(const ProvingSetup& setup, const ProvingFigures& figures) {
     Table table{"classes", "Classes by the limits entered"};
     table.add("class");
@@ -62,9 +64,7 @@ Table classes_table(const ProvingSetup& setup, const ProvingFigures& figures) {
     table.add("verdict");
     for (std::size_t k = 0; k < setup.classes.size(); ++k) {
         std::size_t first = setup.steps.size();
-        while (first > 0 && figures.steps[first - 1].found_class &&
-               *figures.steps[first - 1].found_class <= k)
-            --first;
+        while (first > 0 && figures.steps[first - 1].is_of_class[k]) --first;
         const bool holds = first < setup.steps.size();
         table.row({setup.classes[k].name, holds ? Cell(setup.steps[first].force) : Cell(),
                    holds ? Cell(setup.largest_force()) : Cell(),
@@ -78,9 +78,10 @@ Table classes_table(const ProvingSetup& setup, const ProvingFigures& figures) {
     if (limited(&ClassLimits::c) && !figures.c)
         table.notes.push_back(tell<"The creep error was not measured and is held against no limit.">());
     if (limited(&ClassLimits::v) &&
-        std::ranges::none_of(figures.steps, [](const auto& step) { return step.v.has_value(); }))
-        table.notes.push_back(
-            tell<"The reversibility error was not measured and is held against no limit.">());
+        std::ranges::any_of(figures.steps, [](const auto& step) { return !step.v.has_value(); }))
+        table.notes.push_back(tell<"The reversibility error was not measured at every step; where it was "
+                                   "not, it is held against "
+                                   "no limit.">());
     return table;
 }
 

@@ -289,6 +289,20 @@ TEST(ForceProving, ClassesFollowFromTheLimitsEntered) {
     EXPECT_NEAR(verdicts(setup)[0], 30.0, 1e-9);
 }
 
+// b of the first step is 0.2 %: it is of the class whose limit is wider, which says nothing of the other.
+TEST(ForceProving, AClassIsHeldAgainstItsOwnLimitsInWhateverOrderTheyStand) {
+    Transducer t;
+    covaria::Setup setup = t.setup();
+    auto& rows = std::get<SetupTable>(setup.values["steps"]).rows;
+    rows[0][3] = 0.03 + 0.4 * 1.001, rows[0][5] = 0.01 + 0.4 * 0.999;
+    const SetupCell none;
+    setup.values["classes"] = limits({{std::string("wide"), 0.21, none, none, none, none, none, none},
+                                      {std::string("narrow"), 0.07, none, none, none, none, none, none}});
+    const Table classes = table_of(made(proving, setup)->evaluation(), "classes");
+    EXPECT_NEAR(1e-3 * value(classes.columns[1].cell(0)), 10.0, 1e-9);
+    EXPECT_NEAR(1e-3 * value(classes.columns[1].cell(1)), 20.0, 1e-9) << "the first step is beyond 0.07 %";
+}
+
 TEST(ForceProving, WithoutLimitsThereIsNoClass) {
     const auto model = made(proving, Transducer().setup());
     for (const Table& table : model->evaluation()) {
