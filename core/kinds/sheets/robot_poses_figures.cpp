@@ -80,6 +80,10 @@ double SeriesFigures::floor_of_ap(const PoseSeries& series) const {
     return mean_length(principal_deviations(series.points)) / std::sqrt(double(series.cycles()));
 }
 
+bool RobotPosesFigures::is_split(std::size_t of_series) const {
+    return instrument && series[of_series].best_rp() > instrument->best_rp();
+}
+
 RobotPosesFigures figures_of(const RobotPosesSetup& setup) {
     RobotPosesFigures all;
     const int campaigns = campaigns_of(setup);

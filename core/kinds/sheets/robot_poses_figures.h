@@ -24,6 +24,8 @@ struct SeriesFigures {
     double u_ap(const PoseSeries& series) const;
     /// Mean AP of a robot whose barycentre would be right with infinitely many cycles.
     double floor_of_ap(const PoseSeries& series) const;
+    double best_rp() const { return rp * law.mean_factor(); }  ///< RP with few cycles allowed for
+    double u_rp() const { return rp * law.u_factor(); }
 };
 
 struct DistanceFigures {
@@ -36,12 +38,16 @@ struct DistanceFigures {
 struct InstrumentFigures {
     double rp = 0.0;
     RepeatabilityLaw law;
+    double best_rp() const { return rp * law.mean_factor(); }
+    double u_rp() const { return rp * law.u_factor(); }
 };
 
 struct RobotPosesFigures {
     std::vector<SeriesFigures> series;
     std::vector<DistanceFigures> distances;
     std::optional<InstrumentFigures> instrument;
+    /// Whether RP of a series leaves something for the robot when that of the instrument is taken out.
+    bool is_split(std::size_t of_series) const;
     std::vector<std::vector<std::size_t>>
         directions;                                ///< series of one pose and time from several directions
     std::vector<std::vector<std::size_t>> drifts;  ///< series of one pose and direction, by rising time

@@ -29,7 +29,7 @@ Table poses_table(const RobotPosesSetup& setup, const RobotPosesFigures& figures
         const PoseSeries& series = setup.series[k];
         const SeriesFigures& f = figures.series[k];
         table.row({label_of(series), double(series.cycles()), f.ap(series), f.floor_of_ap(series), f.rp,
-                   f.rp * f.law.mean_factor(), f.rp * f.law.u_factor()});
+                   f.best_rp(), f.u_rp()});
         is_floor = is_floor || f.ap(series) < 2.0 * f.floor_of_ap(series);
     }
     if (is_floor)
@@ -88,6 +88,41 @@ void add_conformity(Table& table, Message what, const Conformity& c, double want
                std::move(cycles)});
 }
 
+/// P(RP_R <= rated), RP_R^2 = RP^2 - RP_I^2: over the law of RP and, cell by cell, over that of RP_I.
+double probability_of_robot(const SeriesFigures& f, const InstrumentFigures& instrument, double rated) {
+    if (!(f.rp > 0.0)) return 1.0;
+    const std::vector<double>& edges = instrument.law.quantiles;
+    double sum = 0.0;
+    for (std::size_t cell = 1; cell < edges.size(); ++cell) {
+        const double own = 0.5 * (edges[cell - 1] + edges[cell]) * instrument.rp;
+        sum += f.law.probability_below(std::hypot(rated, own) / f.rp);
+    }
+    return edges.size() < 2 ? f.law.probability_below(rated / f.rp) : sum / double(edges.size() - 1);
+}
+
+/// Holds the robot's own repeatability against the rated one; nothing is decided where the instrument
+/// scatters as much as what it measured.
+void add_conformity_of_robot(Table& table, const RobotPosesSetup& setup, const PoseSeries& series,
+                             const SeriesFigures& f, const InstrumentFigures& instrument) {
+    Message what = tell<"RP_R of %1">(label_of(series));
+    const double square = std::pow(f.best_rp(), 2) - std::pow(instrument.best_rp(), 2);
+    if (!(square > 0.0)) {
+        table.row({std::move(what), Cell(), Cell(), *setup.rated_rp, Cell(), tell<"not decided">(), Cell(),
+                   Cell()});
+        return;
+    }
+    const double rp = std::sqrt(square);
+    const double of_instrument = instrument.best_rp() * instrument.u_rp() / rp;
+    Conformity c{rp,
+                 std::hypot(f.best_rp() * f.u_rp() / rp, of_instrument),
+                 *setup.rated_rp,
+                 0.0,
+                 of_instrument,
+                 series.cycles()};
+    c.probability = probability_of_robot(f, instrument, c.rated);
+    add_conformity(table, std::move(what), c, setup.probability);
+}
+
 Table conformity_table(const RobotPosesSetup& setup, const RobotPosesFigures& figures) {
     Table table{"conformity", "Conformity with the maker's figures"};
     table.add("figure");
@@ -110,16 +145,13 @@ Table conformity_table(const RobotPosesSetup& setup, const RobotPosesFigures& fi
                                       : double(c.figure <= c.rated);
             add_conformity(table, tell<"AP of %1">(label_of(series)), c, setup.probability);
         }
-        if (setup.rated_rp) {
-            Conformity c{f.rp * f.law.mean_factor(),
-                         f.rp * f.law.u_factor(),
-                         *setup.rated_rp,
-                         0.0,
-                         0.0,
-                         series.cycles()};
+        if (setup.rated_rp && !figures.instrument) {
+            Conformity c{f.best_rp(), f.u_rp(), *setup.rated_rp, 0.0, 0.0, series.cycles()};
             c.probability = f.rp > 0.0 ? f.law.probability_below(c.rated / f.rp) : 1.0;
             add_conformity(table, tell<"RP of %1">(label_of(series)), c, setup.probability);
         }
+        if (setup.rated_rp && figures.instrument)
+            add_conformity_of_robot(table, setup, series, f, *figures.instrument);
     }
     return table;
 }

@@ -239,6 +239,40 @@ TEST(RobotPoses, DecidesAboutTheMakersFigures) {
     EXPECT_NEAR(std::sqrt((cycles - 1.0) / 29.0), 1.6449 * 1e3 * value(open[2]) / room, 0.05);
 }
 
+// RP² of the robot is that of both less that of the instrument; a thousand readings leave RP_I without doubt.
+TEST(RobotPoses, DecidesAboutTheRobotWithoutTheInstrument) {
+    Cell cell(21);
+    const Eigen::MatrixX3d points = cell.cycles(30, {0.1, 0.0, 0.0}, Eigen::Vector3d::Constant(0.01));
+    covaria::Setup setup = setup_of({{"P1", {0.0, 0.0, 0.0}}}, {{"P1", "", {}, points}});
+    const auto decided = [&](double rated_rp, double of_instrument) {
+        setup.values["rated_rp"] = Quantity{rated_rp, Unit::of("mm")};
+        setup.values["instrument"] = std::string("stated");
+        setup.values["instrument_rp"] = Quantity{of_instrument, Unit::of("mm")};
+        setup.values["instrument_cycles"] = Quantity{1000.0, Unit{}};
+        return made(performance, setup);
+    };
+    const auto row = [](const auto& model) {
+        return test::rows_of(table_of(model->evaluation(), "conformity")).at(0);
+    };
+    const double rp = repeatability(points);
+    const auto model = decided(rp, 0.8 * rp);
+    const auto conforming = row(model);
+    EXPECT_EQ(english_of(conforming[5]), "conforms") << "0.6 of RP are the robot's";
+    const FirstOrderOutput own = first_order(*model, "RP_R");
+    EXPECT_NEAR(value(conforming[1]) / own.estimate, 1.0, 1e-9);
+    EXPECT_NEAR(value(conforming[2]) / own.standard_uncertainty, 1.0, 1e-9);
+    EXPECT_EQ(english_of(row(decided(0.2 * rp, 0.8 * rp))[5]), "does not conform");
+
+    const auto nothing_left = decided(rp, 1.6 * rp);
+    EXPECT_EQ(english_of(row(nothing_left)[5]), "not decided");
+    for (const OutputQuantity& output : nothing_left->outputs()) {
+        EXPECT_NE(output.symbol, "RP_R");
+        EXPECT_NE(output.symbol, "w_I");
+    }
+    EXPECT_EQ(nothing_left->outputs().size(), 2u) << "AP and RP";
+    EXPECT_GT(first_order(*nothing_left, "RP").estimate, 0.0);
+}
+
 TEST(RobotPoses, TheInstrumentIsHeldAgainstTheRatioThatIsEntered) {
     Cell cell(2);
     covaria::Setup setup =
