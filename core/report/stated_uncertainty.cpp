@@ -61,6 +61,17 @@ std::string in_words(double U, const Unit& usual) {
     return format_significant(unit.interval_from_si(U), 2) + " " + unit.text();
 }
 
+/// A best capability is stated for k = 2 and about 95 % (ILAC-P14), not for the distribution that was
+/// evaluated.
+constexpr double k_of_capabilities = 2.0;
+
+/// U of an output as capabilities are stated: as evaluated where that is for about 95 %, else 2 u.
+double expanded_as_capabilities(const UncertaintyResult& result, const OutputResult& output) {
+    const bool is_usual =
+        !result.fixed_coverage_factor && std::abs(result.coverage_probability - 0.95) < 0.01;
+    return is_usual ? output.expanded_uncertainty : k_of_capabilities * output.standard_uncertainty;
+}
+
 std::optional<CapabilityFinding> finding_of(const Capabilities& capabilities, const UncertaintyResult& result,
                                             std::size_t i) {
     const OutputResult& output = result.outputs[i];
@@ -77,9 +88,10 @@ std::optional<CapabilityFinding> finding_of(const Capabilities& capabilities, co
         const auto value = deciding_value(*capability, result, output);
         const auto smallest = value ? capability->smallest(*value) : std::nullopt;
         if (!smallest) continue;
-        if (!(output.expanded_uncertainty < *smallest)) return std::nullopt;
+        const double expanded = expanded_as_capabilities(result, output);
+        if (!(expanded < *smallest)) return std::nullopt;
         const Unit& unit = output.quantity.unit;
-        const std::string U = in_words(output.expanded_uncertainty, unit);
+        const std::string U = in_words(expanded, unit);
         const std::string least = in_words(*smallest, unit);
         if (capability->raises())
             return CapabilityFinding{
@@ -97,10 +109,8 @@ std::optional<CapabilityFinding> finding_of(const Capabilities& capabilities, co
     return CapabilityFinding{i, CapabilityVerdict::outside, 0.0, outside, outside};
 }
 
-/// A best capability is stated for k = 2 and about 95 % (ILAC-P14), not for the distribution that was
-/// evaluated.
 void state(OutputResult& output, double U) {
-    constexpr double k = 2.0;
+    constexpr double k = k_of_capabilities;
     output.monte_carlo.reset();
     FirstOrderOutput& first = output.first_order;
     output.standard_uncertainty = first.standard_uncertainty = U / k;

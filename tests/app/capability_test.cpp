@@ -14,13 +14,15 @@ std::string capability(const std::string& to, const std::string& below) {
 }
 
 /// Runs a command on the gauge block of 50 mm, whose U is 66 nm, with a capability of 80 nm.
-Outcome run_with(const std::string& assets, std::vector<std::string> command) {
+Outcome run_with(const std::string& assets, std::vector<std::string> command, const std::string& k = {}) {
     const auto file = fresh_folder() / "gauge.covaria";
     std::string text = read_text(shipped_project("certificate-gauge-block.covaria"));
     const std::string none = "\"assets\": []";
     const std::size_t at = text.find(none);
     EXPECT_NE(at, std::string::npos);
     text.replace(at, none.size(), assets);
+    const std::string fixed = "\"coverageFactor\": 2";
+    if (!k.empty()) text.replace(text.find(fixed), fixed.size(), "\"coverageFactor\": " + k);
     write_text(file, text);
     command.insert(command.begin() + 1, file.string());
     for (std::string& argument : command)
@@ -48,6 +50,15 @@ TEST(Capability, ARaisedUIsInTheCertificateAndNotInTheReport) {
     EXPECT_FALSE(has(report.out, "best measurement capability of the laboratory"));
     const Outcome check = run_with(capability("100", "raised"), {"check"});
     EXPECT_FALSE(has(check.out, "best capability")) << check.out;
+}
+
+TEST(Capability, IsHeldAgainstTwoStandardUncertaintiesWhateverKIs) {
+    for (const char* k : {"3", "1.5"}) {
+        const Outcome done =
+            run_with(capability("100", "raised"), {"report", "--certificate", "-o", "OUT"}, k);
+        EXPECT_TRUE(has(done.err, "below the best capability")) << k << done.err;
+        EXPECT_TRUE(has(done.out, "k = 2.00, p = 95")) << done.out;
+    }
 }
 
 TEST(Capability, CheckEndsWithStatusThreeOutsideTheScopeAndWhereUMayNotBeStated) {
