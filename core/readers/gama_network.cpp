@@ -8,6 +8,7 @@
 #include "core/base/in_quotes.h"
 #include "core/readers/entry_texts.h"
 #include "core/setup/message_text.h"
+#include "core/text/numbers.h"
 
 namespace covaria {
 
@@ -50,7 +51,7 @@ void take_over(const GamaParameters& parameters, double least_u_of_angle, Setup&
     setup.values["undetermined"] = std::string("leave-out");
     proposals.found.push_back(
         tell<"observations that miss what the others agree on by more than %1 m, and points that nothing "
-             "tells, are left out, as Gama does">(shortest_number(limit)));
+             "tells, are left out, as Gama does">(Message::number(format_short(limit, 6))));
     if (parameters.a_posteriori)
         proposals.found.push_back(
             tell<"the file asks for standard deviations a posteriori: for these choose uncertainties as "

@@ -10,6 +10,7 @@
 #include <tuple>
 
 #include "core/kinds/network/closure_sums.h"
+#include "core/math/normal_quantile.h"
 #include "core/text/numbers.h"
 
 namespace covaria::network {
@@ -259,11 +260,19 @@ std::vector<Closure> closures(const AdjustedNetwork& network) {
     return sums.take();
 }
 
+/// Of so many closures one is beyond this by chance in one network of a thousand.
+double limit_of(std::size_t closures) {
+    constexpr double significance = 0.001;
+    return -normal_quantile(0.5 * significance / std::max<double>(1.0, double(closures)));
+}
+
 void check_closures(const AdjustedNetwork& network, Problems& problems) {
     constexpr std::size_t most_said = 3;
     std::size_t count = 0;
-    for (const Closure& closure : closures(network)) {
-        if (!(closure.ratio() > adjustment::outlier_limit())) break;
+    const std::vector<Closure> all = closures(network);
+    const double limit = limit_of(all.size());
+    for (const Closure& closure : all) {
+        if (!(closure.ratio() > limit)) break;
         if (++count > most_said) continue;
         problems.warning(
             closure.source,
@@ -275,7 +284,8 @@ void check_closures(const AdjustedNetwork& network, Problems& problems) {
     }
     if (count > most_said)
         problems.warning(adjustment_fields().place(&StatedAdjustment::readings),
-                         tell<"and %1 more closures are beyond 3.29 times their u">(count - most_said));
+                         tell<"and %1 more closures are beyond %2 times their u">(
+                             count - most_said, Message::number(format_short(limit, 3))));
 }
 
 Table closures_table(const std::vector<Closure>& closures) {
@@ -287,14 +297,18 @@ Table closures_table(const std::vector<Closure>& closures) {
     table.add(known_text<"rows of the readings">());
     table.add(known_text<"remark">());
     std::size_t beyond = 0;
+    const double limit = limit_of(closures.size());
     for (const Closure& closure : closures) {
-        const bool far = closure.ratio() > adjustment::outlier_limit();
+        const bool far = closure.ratio() > limit;
         beyond += far;
         table.row({closure.words, Quantity{closure.unit.from_si(closure.misclosure), closure.unit},
                    Quantity{closure.unit.from_si(closure.u), closure.unit}, closure.ratio(),
                    rows_text(closure), far ? tell<"too large?">() : Message()});
     }
-    if (beyond > 0) table.notes.push_back(tell<"%1 closures are beyond 3.29 times their u (0.1 %).">(beyond));
+    if (beyond > 0)
+        table.notes.push_back(
+            tell<"%1 closures are beyond %2 times their u (0.1 % for all of them together).">(
+                beyond, Message::number(format_short(limit, 3))));
     return table;
 }
 
