@@ -17697,10 +17697,6 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
         <translation>Schleife von Höhenunterschieden, %1</translation>
     </message>
     <message>
-        <source>and %1 more closures are beyond 3.29 times their u</source>
-        <translation>und %1 weitere Abschlüsse liegen über dem 3.29-Fachen ihres u</translation>
-    </message>
-    <message>
         <source>Closures before the adjustment</source>
         <translation>Abschlüsse vor der Ausgleichung</translation>
     </message>
@@ -17723,10 +17719,6 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     <message>
         <source>too large?</source>
         <translation>zu groß?</translation>
-    </message>
-    <message>
-        <source>%1 closures are beyond 3.29 times their u (0.1 %).</source>
-        <translation>%1 Abschlüsse liegen über dem 3.29-Fachen ihres u (0.1 %).</translation>
     </message>
     <message>
         <source>coordinates in frames</source>
@@ -18973,10 +18965,6 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
         <translation>Die Kriechabweichung wurde nicht gemessen und wird mit keiner Grenze verglichen.</translation>
     </message>
     <message>
-        <source>The reversibility error was not measured and is held against no limit.</source>
-        <translation>Die Umkehrspanne wurde nicht gemessen und wird mit keiner Grenze verglichen.</translation>
-    </message>
-    <message>
         <source>reproducibility</source>
         <translation>Vergleichpräzision</translation>
     </message>
@@ -20103,6 +20091,22 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     <message>
         <source>The change of the value is given in units of the expanded uncertainty before.</source>
         <translation>Die Änderung des Wertes ist in Einheiten der erweiterten Messunsicherheit vorher angegeben.</translation>
+    </message>
+    <message>
+        <source>and %1 more closures are beyond %2 times their u</source>
+        <translation>und %1 weitere Abschlüsse liegen über dem %2-Fachen ihres u</translation>
+    </message>
+    <message>
+        <source>%1 closures are beyond %2 times their u (0.1 % for all of them together).</source>
+        <translation>%1 Abschlüsse liegen über dem %2-Fachen ihres u (0.1 % für alle zusammen).</translation>
+    </message>
+    <message>
+        <source>The reversibility error was not measured at every step; where it was not, it is held against no limit.</source>
+        <translation>Die Umkehrspanne wurde nicht bei jeder Stufe gemessen; wo sie fehlt, wird sie mit keiner Grenze verglichen.</translation>
+    </message>
+    <message>
+        <source>RP_R of %1</source>
+        <translation>RP_R von %1</translation>
     </message>
 </context>
 <context>

@@ -17697,10 +17697,6 @@ nu 18 detrás de cualquiera de ellos: grados de libertad</translation>
         <translation>ciclo de desniveles, %1</translation>
     </message>
     <message>
-        <source>and %1 more closures are beyond 3.29 times their u</source>
-        <translation>y %1 cierres más superan 3.29 veces su u</translation>
-    </message>
-    <message>
         <source>Closures before the adjustment</source>
         <translation>Cierres antes de la compensación</translation>
     </message>
@@ -17723,10 +17719,6 @@ nu 18 detrás de cualquiera de ellos: grados de libertad</translation>
     <message>
         <source>too large?</source>
         <translation>¿demasiado grande?</translation>
-    </message>
-    <message>
-        <source>%1 closures are beyond 3.29 times their u (0.1 %).</source>
-        <translation>%1 cierres superan 3.29 veces su u (0.1 %).</translation>
     </message>
     <message>
         <source>coordinates in frames</source>
@@ -18973,10 +18965,6 @@ nu 18 detrás de cualquiera de ellos: grados de libertad</translation>
         <translation>El error de fluencia no se midió y no se contrasta con ningún límite.</translation>
     </message>
     <message>
-        <source>The reversibility error was not measured and is held against no limit.</source>
-        <translation>El error de reversibilidad no se midió y no se contrasta con ningún límite.</translation>
-    </message>
-    <message>
         <source>reproducibility</source>
         <translation>reproducibilidad</translation>
     </message>
@@ -20103,6 +20091,22 @@ nu 18 detrás de cualquiera de ellos: grados de libertad</translation>
     <message>
         <source>The change of the value is given in units of the expanded uncertainty before.</source>
         <translation>El cambio del valor se da en unidades de la incertidumbre expandida de antes.</translation>
+    </message>
+    <message>
+        <source>and %1 more closures are beyond %2 times their u</source>
+        <translation>y %1 cierres más superan %2 veces su u</translation>
+    </message>
+    <message>
+        <source>%1 closures are beyond %2 times their u (0.1 % for all of them together).</source>
+        <translation>%1 cierres superan %2 veces su u (0.1 % para todos en conjunto).</translation>
+    </message>
+    <message>
+        <source>The reversibility error was not measured at every step; where it was not, it is held against no limit.</source>
+        <translation>El error de reversibilidad no se midió en todos los escalones; donde falta, no se contrasta con ningún límite.</translation>
+    </message>
+    <message>
+        <source>RP_R of %1</source>
+        <translation>RP_R de %1</translation>
     </message>
 </context>
 <context>

@@ -17696,10 +17696,6 @@ sample 1; 2; 3 weights 2; 5; 2 (그대로 뽑음), histogram 0; 1; 2 weights 5; 
         <translation>높이차의 폐합 루프, %1</translation>
     </message>
     <message>
-        <source>and %1 more closures are beyond 3.29 times their u</source>
-        <translation>그 밖에 폐합차 %1개가 그 u의 3.29배를 넘습니다</translation>
-    </message>
-    <message>
         <source>Closures before the adjustment</source>
         <translation>조정 전의 폐합</translation>
     </message>
@@ -17722,10 +17718,6 @@ sample 1; 2; 3 weights 2; 5; 2 (그대로 뽑음), histogram 0; 1; 2 weights 5; 
     <message>
         <source>too large?</source>
         <translation>너무 큼?</translation>
-    </message>
-    <message>
-        <source>%1 closures are beyond 3.29 times their u (0.1 %).</source>
-        <translation>폐합차 %1개가 그 u의 3.29배를 넘습니다(0.1 %).</translation>
     </message>
     <message>
         <source>coordinates in frames</source>
@@ -18972,10 +18964,6 @@ sample 1; 2; 3 weights 2; 5; 2 (그대로 뽑음), histogram 0; 1; 2 weights 5; 
         <translation>크리프 오차를 측정하지 않아 어떤 한계와도 비교하지 않습니다.</translation>
     </message>
     <message>
-        <source>The reversibility error was not measured and is held against no limit.</source>
-        <translation>가역성 오차를 측정하지 않아 어떤 한계와도 비교하지 않습니다.</translation>
-    </message>
-    <message>
         <source>reproducibility</source>
         <translation>재현성</translation>
     </message>
@@ -20102,6 +20090,22 @@ sample 1; 2; 3 weights 2; 5; 2 (그대로 뽑음), histogram 0; 1; 2 weights 5; 
     <message>
         <source>The change of the value is given in units of the expanded uncertainty before.</source>
         <translation>값의 변화는 이전 확장불확도 단위로 나타냅니다.</translation>
+    </message>
+    <message>
+        <source>and %1 more closures are beyond %2 times their u</source>
+        <translation>그 밖에 폐합차 %1개가 그 u의 %2배를 넘습니다</translation>
+    </message>
+    <message>
+        <source>%1 closures are beyond %2 times their u (0.1 % for all of them together).</source>
+        <translation>폐합차 %1개가 그 u의 %2배를 넘습니다(모두 합하여 0.1 %).</translation>
+    </message>
+    <message>
+        <source>The reversibility error was not measured at every step; where it was not, it is held against no limit.</source>
+        <translation>가역성 오차를 모든 단계에서 측정하지는 않았습니다. 측정하지 않은 곳은 어떤 한계와도 비교하지 않습니다.</translation>
+    </message>
+    <message>
+        <source>RP_R of %1</source>
+        <translation>%1의 RP_R</translation>
     </message>
 </context>
 <context>

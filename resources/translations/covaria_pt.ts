@@ -17697,10 +17697,6 @@ nu 18 atrás de qualquer um deles: graus de liberdade</translation>
         <translation>circuito de desníveis, %1</translation>
     </message>
     <message>
-        <source>and %1 more closures are beyond 3.29 times their u</source>
-        <translation>e mais %1 fechamentos estão além de 3.29 vezes sua u</translation>
-    </message>
-    <message>
         <source>Closures before the adjustment</source>
         <translation>Fechamentos antes do ajustamento</translation>
     </message>
@@ -17723,10 +17719,6 @@ nu 18 atrás de qualquer um deles: graus de liberdade</translation>
     <message>
         <source>too large?</source>
         <translation>grande demais?</translation>
-    </message>
-    <message>
-        <source>%1 closures are beyond 3.29 times their u (0.1 %).</source>
-        <translation>%1 fechamentos estão além de 3.29 vezes sua u (0.1 %).</translation>
     </message>
     <message>
         <source>coordinates in frames</source>
@@ -18973,10 +18965,6 @@ nu 18 atrás de qualquer um deles: graus de liberdade</translation>
         <translation>O erro de fluência não foi medido e não é confrontado com nenhum limite.</translation>
     </message>
     <message>
-        <source>The reversibility error was not measured and is held against no limit.</source>
-        <translation>O erro de reversibilidade não foi medido e não é confrontado com nenhum limite.</translation>
-    </message>
-    <message>
         <source>reproducibility</source>
         <translation>reprodutibilidade</translation>
     </message>
@@ -20103,6 +20091,22 @@ nu 18 atrás de qualquer um deles: graus de liberdade</translation>
     <message>
         <source>The change of the value is given in units of the expanded uncertainty before.</source>
         <translation>A variação do valor é dada em unidades da incerteza expandida de antes.</translation>
+    </message>
+    <message>
+        <source>and %1 more closures are beyond %2 times their u</source>
+        <translation>e mais %1 fechamentos estão além de %2 vezes sua u</translation>
+    </message>
+    <message>
+        <source>%1 closures are beyond %2 times their u (0.1 % for all of them together).</source>
+        <translation>%1 fechamentos estão além de %2 vezes sua u (0.1 % para todos em conjunto).</translation>
+    </message>
+    <message>
+        <source>The reversibility error was not measured at every step; where it was not, it is held against no limit.</source>
+        <translation>O erro de reversibilidade não foi medido em todos os degraus; onde falta, não é confrontado com nenhum limite.</translation>
+    </message>
+    <message>
+        <source>RP_R of %1</source>
+        <translation>RP_R de %1</translation>
     </message>
 </context>
 <context>

@@ -17696,10 +17696,6 @@ sample 1; 2; 3 weights 2; 5; 2（按原样抽取），histogram 0; 1; 2 weights 
         <translation>高差闭合环，%1</translation>
     </message>
     <message>
-        <source>and %1 more closures are beyond 3.29 times their u</source>
-        <translation>另有 %1 个闭合差超过其 u 的 3.29 倍</translation>
-    </message>
-    <message>
         <source>Closures before the adjustment</source>
         <translation>平差前的闭合检核</translation>
     </message>
@@ -17722,10 +17718,6 @@ sample 1; 2; 3 weights 2; 5; 2（按原样抽取），histogram 0; 1; 2 weights 
     <message>
         <source>too large?</source>
         <translation>过大？</translation>
-    </message>
-    <message>
-        <source>%1 closures are beyond 3.29 times their u (0.1 %).</source>
-        <translation>%1 个闭合差超过其 u 的 3.29 倍 (0.1 %)。</translation>
     </message>
     <message>
         <source>coordinates in frames</source>
@@ -18972,10 +18964,6 @@ sample 1; 2; 3 weights 2; 5; 2（按原样抽取），histogram 0; 1; 2 weights 
         <translation>未测蠕变误差，不与任何界限比较。</translation>
     </message>
     <message>
-        <source>The reversibility error was not measured and is held against no limit.</source>
-        <translation>未测可逆性误差，不与任何界限比较。</translation>
-    </message>
-    <message>
         <source>reproducibility</source>
         <translation>复现性</translation>
     </message>
@@ -20102,6 +20090,22 @@ sample 1; 2; 3 weights 2; 5; 2（按原样抽取），histogram 0; 1; 2 weights 
     <message>
         <source>The change of the value is given in units of the expanded uncertainty before.</source>
         <translation>值的变化以之前的扩展不确定度为单位给出。</translation>
+    </message>
+    <message>
+        <source>and %1 more closures are beyond %2 times their u</source>
+        <translation>另有 %1 个闭合差超过其 u 的 %2 倍</translation>
+    </message>
+    <message>
+        <source>%1 closures are beyond %2 times their u (0.1 % for all of them together).</source>
+        <translation>%1 个闭合差超过其 u 的 %2 倍（全部合计 0.1 %）。</translation>
+    </message>
+    <message>
+        <source>The reversibility error was not measured at every step; where it was not, it is held against no limit.</source>
+        <translation>并非每一级都测了可逆性误差；未测之处不与任何界限比较。</translation>
+    </message>
+    <message>
+        <source>RP_R of %1</source>
+        <translation>%1 的 RP_R</translation>
     </message>
 </context>
 <context>
