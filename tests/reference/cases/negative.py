@@ -135,9 +135,10 @@ def copulas(book):
                           correlations=[{"first": a, "second": b, "coefficient": -0.5} for a, b in ("ab", "ac", "bc")])
         squares, products = sum(w * w for w in weights), sum(weights) ** 2 - sum(w * w for w in weights)
         u, of_trials = (mp.sqrt((squares + r * products) / 3) for r in (stated, drawn))
-        checks = book.own_line(e, 0, u, mp.inf) + [single(e, "mc-u", "u, Monte Carlo", of_trials, scatter=float(mp.nstr(of_trials / mp.sqrt(TRIALS), 4)), condition=None)]
-        checks[-1].pop("condition")
-        book.add(f"Correlated rectangular quantities at the bound of what normal scores have, weights {weights}", CLOSED, ["JCGM 101:2008, 6.4.8", "JCGM 101:2008, 5.11.6"],
+        checks = book.own_line(e, 0, u, mp.inf) + [single(e, "mc-mean", "mean", 0, scatter=float(mp.nstr(of_trials / mp.sqrt(TRIALS), 4)), condition=None), single(e, "mc-u", "u, Monte Carlo", of_trials, scatter=float(mp.nstr(of_trials / mp.sqrt(TRIALS), 4)), condition=None)]
+        for check in checks[-2:]:
+            check.pop("condition")
+        book.add(f"Correlated rectangular quantities at the bound of what normal scores have, weights {weights}", "moments in closed form; tests/reference/cases/negative.py, 50 digits", ["JCGM 101:2008, 5.3.2"],
                  naive(checks, "mc-u", mp.sqrt(mp.mpf(squares) / 3), "draws them independently"))
 
 
@@ -150,7 +151,7 @@ def roots(book):
         e = book.equation(f"root-{key}", name, [equation], rows, ["symbol", "value", "unit", "statement", "a"], unit, FIRST)
         u = y * mp.mpf(str(row[4])) / row[1] / part
         checks = naive(book.own_line(e, y / 1000, u / 1000, mp.inf, unit=unit, condition=32), "u", u * part, "carries the relative uncertainty over without the exponent")
-        book.add(name, CLOSED, ["JCGM 100:2008, 5.1.6"], checks)
+        book.add(name, CLOSED, ["JCGM 100:2008, 5.1.2"], checks)
 
 
 def resolution(book):
