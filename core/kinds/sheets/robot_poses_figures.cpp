@@ -80,10 +80,6 @@ double SeriesFigures::floor_of_ap(const PoseSeries& series) const {
     return mean_length(principal_deviations(series.points)) / std::sqrt(double(series.cycles()));
 }
 
-bool RobotPosesFigures::is_split(std::size_t of_series) const {
-    return instrument && series[of_series].best_rp() > instrument->best_rp();
-}
-
 RobotPosesFigures figures_of(const RobotPosesSetup& setup) {
     RobotPosesFigures all;
     const int campaigns = campaigns_of(setup);
@@ -91,6 +87,8 @@ RobotPosesFigures figures_of(const RobotPosesSetup& setup) {
         all.series.push_back(figures_of_series(setup, series, campaigns));
     for (const PosePair& pair : setup.pairs) all.distances.push_back(figures_of_pair(setup, pair));
     all.instrument = figures_of_instrument(setup);
+    for (const SeriesFigures& f : all.series)
+        all.is_split.push_back(all.instrument && f.best_rp() > all.instrument->best_rp());
     all.directions = together(setup.series, [](const PoseSeries& a, const PoseSeries& b) {
         return a.pose == b.pose && a.time == b.time;
     });

@@ -46,8 +46,8 @@ struct RobotPosesFigures {
     std::vector<SeriesFigures> series;
     std::vector<DistanceFigures> distances;
     std::optional<InstrumentFigures> instrument;
-    /// Whether RP of a series leaves something for the robot when that of the instrument is taken out.
-    bool is_split(std::size_t of_series) const;
+    /// Of each series whether RP leaves something for the robot when that of the instrument is taken out.
+    std::vector<bool> is_split;
     std::vector<std::vector<std::size_t>>
         directions;                                ///< series of one pose and time from several directions
     std::vector<std::vector<std::size_t>> drifts;  ///< series of one pose and direction, by rising time

@@ -41,7 +41,7 @@ void add_outputs_of(const RobotPosesSetup& setup, const RobotPosesFigures& figur
     };
     put("AP", tell<"accuracy of the pose">(), "mm");
     put("RP", tell<"repeatability of the pose">(), "mm");
-    if (figures.is_split(k)) {
+    if (figures.is_split[k]) {
         put("RP_R", tell<"repeatability of the robot alone">(), "mm");
         put("w_I", tell<"share of the instrument in RP²">(), "%");
     }
@@ -135,7 +135,7 @@ public:
 private:
     std::size_t ap_output(std::size_t series) const {
         std::size_t output = series * (2 + (setup_.has_angles() ? 6 : 0));
-        for (std::size_t k = 0; k < series; ++k) output += figures_.is_split(k) ? 2 : 0;
+        for (std::size_t k = 0; k < series; ++k) output += figures_.is_split[k] ? 2 : 0;
         return output;
     }
 
@@ -150,7 +150,7 @@ private:
         }
         y.set(output++, sqrt(max(square, Real(nothing_square))));
         y.set(output++, x[i + 3]);
-        if (figures_.is_split(k)) {
+        if (figures_.is_split[k]) {
             const Real whole = x[i + 3] * x[i + 3], own = x[at_.instrument] * x[at_.instrument];
             y.set(output++, sqrt(max(Real(whole - own), Real(nothing_square))));
             y.set(output++, own / max(whole, Real(nothing_square)));
@@ -181,7 +181,7 @@ std::unique_ptr<MeasurementModel> create_robot_poses(const SetupReader& reader, 
     if (!setup) return nullptr;
     RobotPosesFigures figures = sheets::figures_of(*setup);
     for (std::size_t k = 0; k < setup->series.size(); ++k) {
-        if (figures.instrument && !figures.is_split(k))
+        if (figures.instrument && !figures.is_split[k])
             problems.warning(
                 sheets::robot_poses_fields().place(&RobotPosesSetup::instrument),
                 tell<"the instrument alone scatters as much as what it measured at %1: nothing is left that "
