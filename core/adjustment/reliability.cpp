@@ -35,8 +35,8 @@ BlockSums sums_of(const Adjustment& adjustment, const SparseRows& whitening,
 
 }  // namespace
 
-double outlier_limit() {
-    return normal_quantile(1.0 - 0.5 * significance);
+double outlier_limit(std::size_t tests) {
+    return normal_quantile(1.0 - 0.5 * significance / static_cast<double>(tests));
 }
 
 double non_centrality() {

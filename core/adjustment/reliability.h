@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <vector>
 
 #include "core/adjustment/adjustment.h"
@@ -13,8 +14,8 @@ namespace covaria::adjustment {
 inline constexpr double significance = 0.001, power = 0.8;
 /// delta_0 = 4.1321: an error of so many standard deviations of its own test is found with that power.
 double non_centrality();
-/// |w| beyond this is an outlier at that significance.
-double outlier_limit();
+/// |w| beyond this is an outlier at that significance; of several tests, at that of all of them together.
+double outlier_limit(std::size_t tests = 1);
 
 struct ReadingReliability {
     double residual = 0.0;    ///< reading less adjusted reading

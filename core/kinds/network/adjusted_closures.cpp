@@ -10,7 +10,6 @@
 #include <tuple>
 
 #include "core/kinds/network/closure_sums.h"
-#include "core/math/normal_quantile.h"
 #include "core/text/numbers.h"
 
 namespace covaria::network {
@@ -260,17 +259,12 @@ std::vector<Closure> closures(const AdjustedNetwork& network) {
     return sums.take();
 }
 
-/// Of so many closures one is beyond this by chance in one network of a thousand.
-double limit_of(std::size_t closures) {
-    constexpr double significance = 0.001;
-    return -normal_quantile(0.5 * significance / std::max<double>(1.0, double(closures)));
-}
-
 void check_closures(const AdjustedNetwork& network, Problems& problems) {
     constexpr std::size_t most_said = 3;
     std::size_t count = 0;
     const std::vector<Closure> all = closures(network);
-    const double limit = limit_of(all.size());
+    if (all.empty()) return;
+    const double limit = adjustment::outlier_limit(all.size());
     for (const Closure& closure : all) {
         if (!(closure.ratio() > limit)) break;
         if (++count > most_said) continue;
@@ -297,7 +291,7 @@ Table closures_table(const std::vector<Closure>& closures) {
     table.add(known_text<"rows of the readings">());
     table.add(known_text<"remark">());
     std::size_t beyond = 0;
-    const double limit = limit_of(closures.size());
+    const double limit = adjustment::outlier_limit(std::max<std::size_t>(1, closures.size()));
     for (const Closure& closure : closures) {
         const bool far = closure.ratio() > limit;
         beyond += far;

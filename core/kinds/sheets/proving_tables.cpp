@@ -80,8 +80,7 @@ Table classes_table(const ProvingSetup& setup, const ProvingFigures& figures) {
     if (limited(&ClassLimits::v) &&
         std::ranges::any_of(figures.steps, [](const auto& step) { return !step.v.has_value(); }))
         table.notes.push_back(tell<"The reversibility error was not measured at every step; where it was "
-                                   "not, it is held against "
-                                   "no limit.">());
+                                   "not, it is held against no limit.">());
     return table;
 }
 

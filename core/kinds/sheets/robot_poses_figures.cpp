@@ -38,15 +38,15 @@ DistanceFigures figures_of_pair(const RobotPosesSetup& setup, const PosePair& pa
     return f;
 }
 
-std::optional<InstrumentFigures> figures_of_instrument(const RobotPosesSetup& setup) {
+std::optional<SeenRepeatability> figures_of_instrument(const RobotPosesSetup& setup) {
     if (setup.instrument == InstrumentScatter::none) return std::nullopt;
     if (setup.instrument == InstrumentScatter::stated)
-        return InstrumentFigures{setup.instrument_rp,
+        return SeenRepeatability{setup.instrument_rp,
                                  repeatability_law(Eigen::Vector3d::Ones(), setup.instrument_cycles)};
     Eigen::MatrixX3d points(Eigen::Index(setup.fixed_target.size()), 3);
     for (std::size_t i = 0; i < setup.fixed_target.size(); ++i)
         points.row(Eigen::Index(i)) = setup.fixed_target[i].p.transpose();
-    return InstrumentFigures{repeatability(points),
+    return SeenRepeatability{repeatability(points),
                              repeatability_law(principal_deviations(points), int(points.rows()))};
 }
 

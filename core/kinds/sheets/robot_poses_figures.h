@@ -11,11 +11,17 @@
 
 namespace covaria::sheets {
 
-struct SeriesFigures {
+/// RP as ISO 9283 defines it, with its law for these cycles and this scatter.
+struct SeenRepeatability {
+    double rp = 0.0;
+    RepeatabilityLaw law;
+    double best_rp() const { return rp * law.mean_factor(); }  ///< RP with few cycles allowed for
+    double u_rp() const { return rp * law.u_factor(); }
+};
+
+struct SeriesFigures : SeenRepeatability {
     Eigen::Vector3d barycentre = Eigen::Vector3d::Zero();
     Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< covariance of a single cycle
-    double rp = 0.0;                                       ///< RP as ISO 9283 defines it
-    RepeatabilityLaw law;                                  ///< law of RP for these cycles and this scatter
     Eigen::Vector3d angles = Eigen::Vector3d::Zero();      ///< mean deviation
     Eigen::Vector3d s_angles = Eigen::Vector3d::Zero();
     std::size_t pose = 0;  ///< index of its commanded pose
@@ -24,8 +30,6 @@ struct SeriesFigures {
     double u_ap(const PoseSeries& series) const;
     /// Mean AP of a robot whose barycentre would be right with infinitely many cycles.
     double floor_of_ap(const PoseSeries& series) const;
-    double best_rp() const { return rp * law.mean_factor(); }  ///< RP with few cycles allowed for
-    double u_rp() const { return rp * law.u_factor(); }
 };
 
 struct DistanceFigures {
@@ -34,19 +38,11 @@ struct DistanceFigures {
     int cycles = 0;
 };
 
-/// RP of the instrument from a target that does not move.
-struct InstrumentFigures {
-    double rp = 0.0;
-    RepeatabilityLaw law;
-    double best_rp() const { return rp * law.mean_factor(); }
-    double u_rp() const { return rp * law.u_factor(); }
-};
-
 struct RobotPosesFigures {
     std::vector<SeriesFigures> series;
     std::vector<DistanceFigures> distances;
-    std::optional<InstrumentFigures> instrument;
-    /// Of each series whether RP leaves something for the robot when that of the instrument is taken out.
+    std::optional<SeenRepeatability> instrument;  ///< of a target that does not move
+    /// Whether RP of each series leaves something for the robot when that of the instrument is taken out.
     std::vector<bool> is_split;
     std::vector<std::vector<std::size_t>>
         directions;                                ///< series of one pose and time from several directions

@@ -88,9 +88,9 @@ void add_conformity(Table& table, Message what, const Conformity& c, double want
                std::move(cycles)});
 }
 
-/// P(RP_R <= rated), RP_R^2 = RP^2 - RP_I^2: over the law of RP and, cell by cell, over that of RP_I.
-double probability_of_robot(const SeriesFigures& f, const InstrumentFigures& instrument, double rated) {
-    if (!(f.rp > 0.0)) return 1.0;
+/// P(RP_R <= rated), RP_R^2 = RP^2 - RP_I^2, RP above zero: over the law of RP and, cell by cell, over that
+/// of RP_I.
+double probability_of_robot(const SeenRepeatability& f, const SeenRepeatability& instrument, double rated) {
     const std::vector<double>& edges = instrument.law.quantiles;
     double sum = 0.0;
     for (std::size_t cell = 1; cell < edges.size(); ++cell) {
@@ -100,27 +100,17 @@ double probability_of_robot(const SeriesFigures& f, const InstrumentFigures& ins
     return edges.size() < 2 ? f.law.probability_below(rated / f.rp) : sum / double(edges.size() - 1);
 }
 
-/// Holds the robot's own repeatability against the rated one; nothing is decided where the instrument
-/// scatters as much as what it measured.
-void add_conformity_of_robot(Table& table, const RobotPosesSetup& setup, const PoseSeries& series,
-                             const SeriesFigures& f, const InstrumentFigures& instrument) {
-    Message what = tell<"RP_R of %1">(label_of(series));
-    const double square = std::pow(f.best_rp(), 2) - std::pow(instrument.best_rp(), 2);
-    if (!(square > 0.0)) {
-        table.row({std::move(what), Cell(), Cell(), *setup.rated_rp, Cell(), tell<"not decided">(), Cell(),
-                   Cell()});
-        return;
-    }
-    const double rp = std::sqrt(square);
+/// The robot's own repeatability, which a series leaves beside that of the instrument, against the rated one.
+Conformity conformity_of_robot(const SeenRepeatability& whole, const SeenRepeatability& instrument,
+                               double rated, int cycles) {
+    const double rp = std::sqrt(std::pow(whole.best_rp(), 2) - std::pow(instrument.best_rp(), 2));
     const double of_instrument = instrument.best_rp() * instrument.u_rp() / rp;
-    Conformity c{rp,
-                 std::hypot(f.best_rp() * f.u_rp() / rp, of_instrument),
-                 *setup.rated_rp,
-                 0.0,
-                 of_instrument,
-                 series.cycles()};
-    c.probability = probability_of_robot(f, instrument, c.rated);
-    add_conformity(table, std::move(what), c, setup.probability);
+    return {rp,
+            std::hypot(whole.best_rp() * whole.u_rp() / rp, of_instrument),
+            rated,
+            probability_of_robot(whole, instrument, rated),
+            of_instrument,
+            cycles};
 }
 
 Table conformity_table(const RobotPosesSetup& setup, const RobotPosesFigures& figures) {
@@ -145,13 +135,20 @@ Table conformity_table(const RobotPosesSetup& setup, const RobotPosesFigures& fi
                                       : double(c.figure <= c.rated);
             add_conformity(table, tell<"AP of %1">(label_of(series)), c, setup.probability);
         }
-        if (setup.rated_rp && !figures.instrument) {
-            Conformity c{f.best_rp(), f.u_rp(), *setup.rated_rp, 0.0, 0.0, series.cycles()};
-            c.probability = f.rp > 0.0 ? f.law.probability_below(c.rated / f.rp) : 1.0;
-            add_conformity(table, tell<"RP of %1">(label_of(series)), c, setup.probability);
+        if (!setup.rated_rp) continue;
+        if (!figures.instrument) {
+            const double probability = f.rp > 0.0 ? f.law.probability_below(*setup.rated_rp / f.rp) : 1.0;
+            add_conformity(table, tell<"RP of %1">(label_of(series)),
+                           {f.best_rp(), f.u_rp(), *setup.rated_rp, probability, 0.0, series.cycles()},
+                           setup.probability);
+        } else if (figures.is_split[k]) {
+            add_conformity(table, tell<"RP_R of %1">(label_of(series)),
+                           conformity_of_robot(f, *figures.instrument, *setup.rated_rp, series.cycles()),
+                           setup.probability);
+        } else {
+            table.row({tell<"RP_R of %1">(label_of(series)), Cell(), Cell(), *setup.rated_rp, Cell(),
+                       tell<"not decided">(), Cell(), Cell()});
         }
-        if (setup.rated_rp && figures.instrument)
-            add_conformity_of_robot(table, setup, series, f, *figures.instrument);
     }
     return table;
 }
