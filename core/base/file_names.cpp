@@ -1,8 +1,8 @@
 #include "core/base/file_names.h"
 
-#include <algorithm>
 #include <string_view>
 
+#include "core/base/small_letters.h"
 #include "core/base/utf8.h"
 
 namespace covaria {
@@ -11,10 +11,6 @@ namespace {
 
 bool is_letter_or_digit(unsigned char c) {
     return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
-
-char in_small_letters(char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
 
 // Blanks, signs and controls beyond ASCII that have no place in a name: U+0080 to U+00BF, general punctuation
@@ -53,9 +49,7 @@ std::string FileNames::unique(const std::string& stem, const std::string& ending
     if (cut.size() < stem.size()) cut.resize(valid_utf8(cut));
     for (int number = 1;; ++number) {
         const std::string name = cut + (number == 1 ? "" : "-" + std::to_string(number)) + ending;
-        std::string small = name;
-        std::transform(small.begin(), small.end(), small.begin(), in_small_letters);
-        if (taken_.insert(small).second) return name;
+        if (taken_.insert(in_small_letters(name)).second) return name;
     }
 }
 

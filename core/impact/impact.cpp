@@ -9,6 +9,7 @@
 #include "core/base/guarded.h"
 #include "core/base/in_quotes.h"
 #include "core/base/sha256.h"
+#include "core/base/small_letters.h"
 #include "core/carried/carried_project.h"
 #include "core/carried/report_data.h"
 #include "core/made/load_project.h"
@@ -30,9 +31,7 @@ double ratio_of(double change, double to) {
 }
 
 bool is_project_or_pdf(const fs::path& file) {
-    std::string ending = file.extension().string();
-    for (char& c : ending)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    const std::string ending = in_small_letters(file.extension().string());
     return ending == ".covaria" || ending == ".pdf";
 }
 

@@ -119,6 +119,7 @@ private:
     const std::vector<std::string>& symbols_;
 };
 
+/// Gives the field its old value; a field that was left out is left out again.
 void keep(Setup& made, const Setup& old, const std::string& key) {
     const auto value = old.values.find(key);
     if (value == old.values.end())

@@ -6,17 +6,12 @@
 #include "core/base/dates.h"
 #include "core/base/in_quotes.h"
 #include "core/base/sha256.h"
+#include "core/base/small_letters.h"
 #include "core/project/asset_certificate_fields.h"
 
 namespace covaria {
 
 namespace {
-
-std::string in_small_letters(std::string text) {
-    for (char& c : text)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    return text;
-}
 
 void check_texts(const AssetCertificate& certificate, const std::string& path, Problems& problems) {
     using Kind = AssetCertificateText::Kind;
