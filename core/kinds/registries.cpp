@@ -22,6 +22,7 @@
 #include "core/kinds/robot/asset.h"
 #include "core/kinds/robot/model.h"
 #include "core/kinds/robot_identification/from_poses_model.h"
+#include "core/kinds/robot_identification/from_readings_model.h"
 #include "core/kinds/robot_identification/from_trajectories_model.h"
 #include "core/kinds/sheets/history_model.h"
 #include "core/kinds/sheets/models.h"
@@ -50,6 +51,7 @@ const std::vector<ModelDescriptor>& model_registry() {
                                                      robot_pose_model(),
                                                      robot_circle_points_model(),
                                                      robot_calibration_model(),
+                                                     robot_from_readings_model(),
                                                      force_channels_model(),
                                                      force_loads_model(),
                                                      measurement_equation_model(),

@@ -330,6 +330,8 @@ const std::vector<AnalysisTemplate>& analysis_templates() {
          "trajectories"},
         {Topic::robot, "Robot from measured poses",
          "Parameters of an arm from measured places of its flange.", "er10l-c10", "poses-measured"},
+        {Topic::robot, "Robot from distances, planes and balls",
+         "Parameters of an arm from what can be measured without poses.", "robot-readings", "distances"},
         {Topic::equation, "Calibration of a force/moment sensor",
          "Errors and uncertainty of the channels of a multi-axis sensor.", "force-moment-sensor", "combined"},
         {Topic::equation, "Forces and moments from readings",

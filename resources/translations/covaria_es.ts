@@ -20108,6 +20108,530 @@ nu 18 detrás de cualquiera de ellos: grados de libertad</translation>
         <source>RP_R of %1</source>
         <translation>RP_R de %1</translation>
     </message>
+    <message>
+        <source>Robot from distances, planes and balls</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Geometric parameters of a robot by least squares from distances, touched planes, distances between poses and positions of reflectors, without measured poses.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unknowns that the readings cannot tell are found by their columns of the Jacobian: each that is a combination of those before it (base, places, zeros, targets, then joint by joint, then compliances) stays as stated and is named with its partners.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Touched planes that are themselves found tell no lengths: an arm and its surroundings that are larger by one factor touch planes that are further away by it. One known distance gives the scale.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Weights are the inverse variances of the readings. What readings share (the scale of the distances, an instrument&apos;s station, readings of the joints, known places) does not change the weights, but is propagated in full.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The identified robot stands where its base was found; compliances are reported and not part of it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In each trial the gain of the estimates is used. It differs from a complete fit by residual times curvature.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm as designed: start of the fit, values of what the readings cannot tell, uncertainty of the readings of its joints, and the arm of a plan.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Readings are</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measured. Or a plan: readings are those of the nominal robot, to see what an experiment would give.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a plan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Balls and reflectors</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is measured on the last link.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Coordinate x in the frame of the last link; of one that is found: about.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Coordinate y in the frame of the last link; of one that is found: about.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Coordinate z in the frame of the last link; of one that is found: about.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>place is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Found by the fit, or known. Empty: found.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of each coordinate, where it is known.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points and planes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What distances are measured from.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is a</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A point: the centre of a ball, a wire&apos;s or a distance meter&apos;s zero. Or a plane.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Coordinate x in the measuring frame, of the point or of any point of the plane; may be empty where it is found.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Coordinate y in the measuring frame, of the point or of any point of the plane; may be empty where it is found.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Coordinate z in the measuring frame, of the point or of any point of the plane; may be empty where it is found.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Coordinate x of the normal of a plane, to the side on which distances are positive; may be empty where it is found.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Coordinate y of the normal of a plane, to the side on which distances are positive; may be empty where it is found.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Coordinate z of the normal of a plane, to the side on which distances are positive; may be empty where it is found.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Found by the fit, or known. Empty: known.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of each coordinate of a known point, or of a known plane along its normal.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Readings of the joints.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading of joint 1, if it turns; empty: its zero reading.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading of joint 2, if it turns; empty: its zero reading.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading of joint 3, if it turns; empty: its zero reading.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading of joint 4, if it turns; empty: its zero reading.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading of joint 5, if it turns; empty: its zero reading.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading of joint 6, if it turns; empty: its zero reading.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading of joint 7, if it turns; empty: its zero reading.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading of joint 1, if it slides; empty: its zero reading.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading of joint 2, if it slides; empty: its zero reading.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading of joint 3, if it slides; empty: its zero reading.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading of joint 4, if it slides; empty: its zero reading.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading of joint 5, if it slides; empty: its zero reading.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading of joint 6, if it slides; empty: its zero reading.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading of joint 7, if it slides; empty: its zero reading.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Torque of the load about the axis of joint 1, where compliances are found; empty: none.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Torque of the load about the axis of joint 2, where compliances are found; empty: none.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Torque of the load about the axis of joint 3, where compliances are found; empty: none.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Torque of the load about the axis of joint 4, where compliances are found; empty: none.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Torque of the load about the axis of joint 5, where compliances are found; empty: none.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Torque of the load about the axis of joint 6, where compliances are found; empty: none.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Torque of the load about the axis of joint 7, where compliances are found; empty: none.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distances of a target in one pose from a point, a plane, or its place in another pose: laser tracer, wire sensors, ballbar, dial gauge, probe on a ball plate.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name of the pose in which the arm stood.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name of the ball or reflector that was measured. Empty: the first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>from a</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distance of the target from a point; from a plane, on the side of its normal; or from where the same target is in another pose.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>called</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name of the point, the plane or the other pose.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measured distance; 0 where the ball touches the plane. Not needed of a plan.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of this distance. Empty: that of all distances.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name of an unknown that all distances of that name contain: zero of a wire sensor, length of a ballbar, radius of a ball. Empty: none.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>fit: taken into the fit. check: held back, to see how well the identified arm tells it. Empty: fit.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of a distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of each distance that states none of its own, independent of all others.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Relative standard uncertainty of their scale</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All distances from points and between poses share it: the length standard, its temperature.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Positions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Coordinates of targets that an instrument measured, one or more targets in a pose.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measured coordinate x in the measuring frame. Not needed of a plan.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measured coordinate y in the measuring frame. Not needed of a plan.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measured coordinate z in the measuring frame. Not needed of a plan.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Found by the fit: points, planes and the instrument stand anywhere. Known: the base stands where the robot says it stands, and places are given or found relative to it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compliance of the joints</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Found: each joint gives way in proportion to the torque of the load about it. Not in the model.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not in the model</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Parameters that stay nominal although the readings could tell them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As stated; or as the residuals of this fit see them: stated ones times one common factor, or times the factor of each figure (variance components). Either has the degrees of freedom of its estimate. What all readings share stays as stated.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Parameters of an arm from what can be measured without poses.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A robot identified without poses</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An arm of six joints from what can be measured without poses: distances from points, touched planes with distances between poses, positions of reflectors.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>distances from points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>distances from planes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the residual is %2 times its standard uncertainty (limit %3). Look at this reading first; hold it back by use = check</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the residuals are %1 times as large as the uncertainties of the readings explain: there is more than these (a joint&apos;s elasticity, temperature, an outlier), and the uncertainty of the parameters is stated too small</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no parameter of the arm can be told from these readings: every one of them is coupled with others or held</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the fit has %1 readings, no more than there are unknowns to find (%2): measure more, or hold parameters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>gives the scale, which the readings do not tell: all lengths of the arm may be larger by one factor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>these readings do not tell the scale: all lengths of the arm, and how far away the planes are, may be larger by one factor. %1 is held at its nominal value, the other lengths are as certain as it is; a distance between two poses or from a known point gives the scale</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: calculated less measured, held back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>compliance of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>zero %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>distance of plane %1 from the origin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>distance from a point, from another pose</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>distance from a plane, 0 where it is touched</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>where compliances are found</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>JCGM 102 6.2, with all that readings share</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing is measured: give distances or positions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>two of them are called %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at most %1 of them are taken, and there are %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a plan must say where %1 is: give %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is known, but where it is is not said: give %2, or let the fit find it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>joint %1 slides: a compliance is found of joints that turn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>joint %1 slides: its reading is %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>joint %1 turns: its reading is %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no pose &apos;%1&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no ball or reflector &apos;%1&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 from %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a distance from a pose to itself is 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this distance was not measured: give its value or take its row out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a distance from a point or pose is above zero</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no plane &apos;%1&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no point &apos;%1&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is a point and no plane</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is a plane and no point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this position was not measured: give x, y and z or take its row out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>scale of the distances</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>measured distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>known place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>plane %1, along its normal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tilt %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nominal: the same surroundings fitted with the nominal parameters. E_n = |d|/U: below 1 the reading agrees with the calibration.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>readings in the fit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>measured distances</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>known places</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What was found beside the parameters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>over its u</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Readings held back from the fit, calculated less measured</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>U (k = 2)</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>

@@ -9,11 +9,11 @@
 #include <string>
 #include <vector>
 
-#include "core/kinds/points/component_evidence.h"
 #include "core/kinds/points/located_points.h"
 #include "core/kinds/robot/fields.h"
 #include "core/kinds/robot/serial_robot.h"
 #include "core/kinds/robot_identification/identified_parameters.h"
+#include "core/kinds/robot_identification/least_squares.h"
 #include "core/math/rotation.h"
 #include "core/quantity/input_quantity.h"
 
@@ -48,19 +48,10 @@ struct MeasuredPose {
     std::array<std::size_t, most_joints> reading = {};  ///< index of an uncertain reading, or no_input
 };
 
-/// Statistics of what the fit leaves over.
-struct FitStatistics {
-    Eigen::VectorXd residuals, u_residuals;    ///< of all rows of the fit; u: expected scatter
+/// What the fit leaves over, and how it tells the poses that were held back.
+struct PoseStatistics : identification::FitStatistics {
     Eigen::VectorXd deviations, u_deviations;  ///< at check poses: calculated less measured, x y z each
     Eigen::VectorXd before;                    ///< the same with the nominal parameters
-    Eigen::MatrixXd covariance;                ///< covariance of the unknowns
-    Eigen::VectorXd singular_values;           ///< those of the weighted Jacobian with columns of length one
-    Eigen::VectorXd weakest;                   ///< direction of the unknowns that belongs to the last
-    double scatter = 0.0;  ///< root mean square of residuals over what their uncertainties explain
-    double limit = 0.0;    ///< limit of |residual|/u, family-wise 5 %
-    /// Rows whose errors the test cannot tell from one of the row with the largest |residual|/u.
-    std::vector<std::size_t> alike;
-    ComponentEvidence evidence;  ///< evidence of measured poses about the stated uncertainties
 };
 
 /// A row of the measured poses, SI.
@@ -104,7 +95,7 @@ struct Calibration : StatedCalibration {
     std::vector<HeldParameter> held;
     Eigen::MatrixXd gain;         ///< unknowns by rows of the fit
     std::vector<double> weights;  ///< weights of the rows of the fit
-    FitStatistics statistics;
+    PoseStatistics statistics;
     InputSet inputs;
 
     std::size_t rows_per_pose() const { return with_orientation ? 6 : 3; }
@@ -112,6 +103,7 @@ struct Calibration : StatedCalibration {
     /// Joint parameters among the unknowns; base and tool come first.
     std::vector<IdentifiedParameter> parameters() const;
     std::size_t first_parameter() const;
+    std::vector<Message> names() const;  ///< of the unknowns
 };
 
 /// Empty if `problems` got an error.

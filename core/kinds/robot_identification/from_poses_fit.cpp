@@ -1,12 +1,9 @@
 #include "core/kinds/robot_identification/from_poses_fit.h"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
 #include "core/kinds/robot_identification/input_sensitivity.h"
-#include "core/math/decompositions.h"
-#include "core/math/special_quantiles.h"
 #include "core/quantity/input_quantity.h"
 #include "core/text/numbers.h"
 
@@ -101,72 +98,9 @@ void absorb_rotations(Calibration& c, std::vector<double>& v) {
     c.X_FT.linear() = (c.X_FT.linear() * rotation_from_zyx<double>(tool)).eval();
 }
 
-/// Levenberg-Marquardt on the weighted residuals: a step that does not lower them is damped more and tried
-/// again from where it began. False: no convergence.
-bool minimise(const Calibration& c, const VectorXd& w, std::vector<double>& v) {
-    constexpr int most_steps = 200, most_trials = 1000;
-    constexpr double most_damping = 1e12;
-    double damping = 1e-6;
-    VectorXd r = w.cwiseProduct(residuals_of(c, v, fitted(c)));
-    MatrixXd A, N;
-    VectorXd scale;
-    for (int step = 0, trial = 0; step < most_steps && trial < most_trials; ++trial) {
-        if (A.size() == 0) {
-            A = w.asDiagonal() * jacobian_of(c, v, fitted(c));
-            scale = A.colwise().norm();
-            N = A.transpose() * A;
-        }
-        MatrixXd damped = N;
-        damped.diagonal() += damping * scale.cwiseAbs2();
-        const auto solved = damped_step(damped, A.transpose() * r);
-        if (!solved) {
-            if ((damping *= 10.0) > most_damping) return false;
-            continue;
-        }
-        const VectorXd& dv = *solved;
-        std::vector<double> next = v;
-        for (std::size_t i = 0; i < v.size(); ++i) next[i] += dv[static_cast<Index>(i)];
-        const VectorXd r_next = w.cwiseProduct(residuals_of(c, next, fitted(c)));
-        if (dv.cwiseProduct(scale).norm() < 1e-9 * std::max(1e-3, r.norm()) || dv.norm() < 1e-13) {
-            v = next;
-            return v.empty() || r_next.allFinite();
-        }
-        if (r_next.norm() < r.norm()) {
-            v = std::move(next);
-            r = r_next;
-            A.resize(0, 0);
-            ++step;
-            damping = std::max(1e-15, damping / 10.0);
-        } else if ((damping *= 10.0) > most_damping) {
-            return false;
-        }
-    }
-    return false;
-}
-
-Index worst_row(const FitStatistics& s) {
-    Index worst = 0;
-    s.residuals.cwiseAbs().cwiseQuotient(s.u_residuals.cwiseMax(1e-300)).maxCoeff(&worst);
-    return worst;
-}
-
-/// Rows whose residuals hang together with that of `row` so that a test of one is a test of the others.
-/// `deviations`: residuals by components.
-std::vector<std::size_t> rows_alike(const MatrixXd& deviations, Index row) {
-    constexpr double alike = 0.98;
-    const VectorXd products = deviations * deviations.row(row).transpose();
-    const VectorXd lengths = deviations.rowwise().norm();
-    const double least = 1e-6 * lengths.maxCoeff();
-    std::vector<std::size_t> rows;
-    for (Index i = 0; i < products.size(); ++i)
-        if (i != row && lengths[i] > least && std::abs(products[i]) > alike * lengths[i] * lengths[row])
-            rows.push_back(static_cast<std::size_t>(i));
-    return rows;
-}
-
-void take_deviations(FitStatistics& s, const MatrixXd& deviations) {
-    s.u_residuals = deviations.rowwise().norm();
-    s.alike = rows_alike(deviations, worst_row(s));
+identification::FitFunctions functions_of(const Calibration& c) {
+    return {[&c](const std::vector<double>& v) { return residuals_of(c, v, fitted(c)); },
+            [&c](const std::vector<double>& v) { return jacobian_of(c, v, fitted(c)); }};
 }
 
 Message rows_in_words(const Calibration& c, const std::vector<std::size_t>& rows) {
@@ -197,13 +131,9 @@ void warn_of_outlier(const Calibration& c, Index row, double size, Problems& pro
 
 /// Warns of residuals that the uncertainties do not explain.
 void warn_of_residuals(const Calibration& c, Problems& problems) {
-    const FitStatistics& s = c.statistics;
-    const auto freedom = static_cast<double>(c.rows() - c.unknowns.size());
-    if (freedom < 1.0) return;
-    const Index worst = worst_row(s);
-    const double size = std::abs(s.residuals[worst]) / std::max(s.u_residuals[worst], 1e-300);
-    if (size > s.limit && s.u_residuals[worst] > 0.0) warn_of_outlier(c, worst, size, problems);
-    if (!(s.scatter > std::sqrt(chi_squared_quantile(0.99, freedom) / freedom))) return;
+    const PoseStatistics& s = c.statistics;
+    if (s.has_outlier()) warn_of_outlier(c, s.worst_row(), s.worst_size(), problems);
+    if (!s.scatters_too_much()) return;
     Problem problem{
         .severity = Severity::warning,
         .path = fields().place(&Calibration::measured),
@@ -217,20 +147,13 @@ void warn_of_residuals(const Calibration& c, Problems& problems) {
 }
 
 void warn_of_weakness(const Calibration& c, const std::string& place, Problems& problems) {
-    const FitStatistics& s = c.statistics;
-    const double condition = s.singular_values[0] / s.singular_values[s.singular_values.size() - 1];
-    if (condition < 1e4) return;
-    Message names;
-    for (Index i = 0; i < s.weakest.size(); ++i) {
-        if (!(std::abs(s.weakest[i]) > 0.3)) continue;
-        if (!names.empty()) names += ", ";
-        names += c.unknowns[static_cast<std::size_t>(i)].name();
-    }
+    const double condition = condition_of(c.statistics);
+    if (condition < identification::most_condition) return;
     problems.warning(
         place,
         tell<
             "these poses hardly tell %1 apart (condition %2): turn more joints further, or hold one of them">(
-            names, format_short(condition, 2)));
+            least_told(c.statistics, c.names()), format_short(condition, 2)));
 }
 
 class Fit {
@@ -252,13 +175,18 @@ public:
                                "find: measure more poses, or hold parameters">(c_.rows()));
         Calibration nominal = without_parameters();
         std::vector<double> v = start_of(c_);
-        if (!minimise(c_, w_, v))
+        if (!minimise(functions_of(c_), w_, v))
             return refuse(tell<"the fit does not converge: look for exchanged poses, readings of the wrong "
                                "sign or in another unit, and for a nominal robot that is another arm">());
         absorb_rotations(c_, v);
         c_.solution = v;
-        if (!find_gain()) return false;
-        find_statistics(nominal);
+        const MatrixXd design = jacobian_of(c_, c_.solution, fitted(c_));
+        const auto gain = identification::gain_of(w_.asDiagonal() * design, w_);
+        if (!gain)
+            return refuse(tell<"at the solution the unknowns cannot be told apart; hold one of those that "
+                               "the table of observability names">());
+        c_.gain = gain->gain;
+        find_statistics(*gain, design, nominal);
         if (!c_.simulated) warn_of_residuals(c_, problems_);
         warn_of_weakness(c_, place_, problems_);
         return true;
@@ -330,68 +258,22 @@ private:
         w_ = Eigen::Map<const VectorXd>(c_.weights.data(), static_cast<Index>(c_.weights.size()));
     }
 
-    /// Goes through the candidates in their order and keeps those that move the points in a way that those
-    /// kept before do not (Gram-Schmidt on columns of length one).
     void select() {
         const MatrixXd A = w_.asDiagonal() * jacobian_of(c_, start_of(c_), fitted(c_));
-        const double largest = A.colwise().norm().maxCoeff();
-        MatrixXd Q(A.rows(), 0), kept(A.rows(), 0);
+        auto [told, held] = identification::told_apart(A, c_.names());
         std::vector<Unknown> unknowns;
-        for (std::size_t i = 0; i < c_.unknowns.size(); ++i) {
-            const double length = A.col(static_cast<Index>(i)).norm();
-            if (length < 1e-9 * largest) {
-                c_.held.push_back(
-                    {c_.unknowns[i].name(), tell<"does not move the measured points in any pose">()});
-                continue;
-            }
-            const VectorXd column = A.col(static_cast<Index>(i)) / length;
-            VectorXd rest = column - Q * (Q.transpose() * column);
-            rest -= Q * (Q.transpose() * rest);
-            if (rest.norm() < 1e-7) {
-                c_.held.push_back({c_.unknowns[i].name(), coupling(kept, unknowns, column)});
-                continue;
-            }
-            Q.conservativeResize(Eigen::NoChange, Q.cols() + 1);
-            Q.rightCols<1>() = rest.normalized();
-            kept.conservativeResize(Eigen::NoChange, kept.cols() + 1);
-            kept.rightCols<1>() = column;
-            unknowns.push_back(c_.unknowns[i]);
-        }
+        for (const std::size_t i : told) unknowns.push_back(c_.unknowns[i]);
         c_.unknowns = std::move(unknowns);
-    }
-
-    Message coupling(const MatrixXd& kept, const std::vector<Unknown>& unknowns, const VectorXd& column) {
-        const VectorXd shares = kept.colPivHouseholderQr().solve(column);
-        Message names;
-        for (Index i = 0; i < shares.size(); ++i)
-            if (std::abs(shares[i]) > 1e-4)
-                names += Message(names.empty() ? "" : ", ") + unknowns[static_cast<std::size_t>(i)].name();
-        return tell<"moves the measured points as %1 can: coupled with it, held at its nominal value">(names);
+        c_.held.insert(c_.held.end(), held.begin(), held.end());
     }
 
     Calibration without_parameters() const {
         Calibration other = c_;
         other.unknowns.resize(c_.first_parameter());
         std::vector<double> v = start_of(other);
-        if (!minimise(other, w_, v)) v = start_of(other);
+        if (!minimise(functions_of(other), w_, v)) v = start_of(other);
         other.solution = v;
         return other;
-    }
-
-    bool find_gain() {
-        const MatrixXd A = w_.asDiagonal() * jacobian_of(c_, c_.solution, fitted(c_));
-        const VectorXd length = A.colwise().norm();
-        const MatrixXd scaled = A * length.cwiseInverse().asDiagonal();
-        const auto svd = singular_values(scaled, Eigen::ComputeThinU | Eigen::ComputeThinV);
-        const VectorXd& s = svd.singularValues();
-        if (!(s[s.size() - 1] > 1e-9 * s[0]))
-            return refuse(tell<"at the solution the unknowns cannot be told apart; hold one of those that "
-                               "the table of observability names">());
-        c_.statistics.singular_values = s;
-        c_.statistics.weakest = svd.matrixV().rightCols<1>();
-        c_.gain = length.cwiseInverse().asDiagonal() * svd.matrixV() * s.cwiseInverse().asDiagonal() *
-                  svd.matrixU().transpose() * w_.asDiagonal();
-        return true;
     }
 
     /// Residuals of a range of poses by components, the unknowns as they are.
@@ -409,21 +291,15 @@ private:
                                   });
     }
 
-    void find_statistics(const Calibration& nominal) {
-        FitStatistics& s = c_.statistics;
-        const MatrixXd from_inputs = residual_sensitivity(fitted(c_)), unknowns = c_.gain * from_inputs;
-        s.covariance = unknowns * unknowns.transpose();
-        s.residuals = residuals_of(c_, c_.solution, fitted(c_));
-        const MatrixXd design = jacobian_of(c_, c_.solution, fitted(c_));
-        take_deviations(s, from_inputs - design * unknowns);
-        const double expected = w_.cwiseProduct(s.u_residuals).squaredNorm();
-        s.scatter = expected > 0.0 ? w_.cwiseProduct(s.residuals).norm() / std::sqrt(expected) : 0.0;
-        const auto rows = static_cast<double>(s.residuals.size());
-        s.limit = t_quantile(1.0 - 0.025 / rows, infinity);
+    void find_statistics(const identification::Gain& gain, const MatrixXd& design,
+                         const Calibration& nominal) {
+        PoseStatistics& s = c_.statistics;
+        const MatrixXd from_inputs = residual_sensitivity(fitted(c_));
+        take_statistics(s, gain, residuals_of(c_, c_.solution, fitted(c_)), design, from_inputs, w_);
         if (!c_.simulated) find_evidence(c_, design, from_inputs);
         if (checks(c_).count() == 0) return;
-        const MatrixXd D =
-            jacobian_of(c_, c_.solution, checks(c_)) * unknowns - residual_sensitivity(checks(c_));
+        const MatrixXd D = jacobian_of(c_, c_.solution, checks(c_)) * (c_.gain * from_inputs) -
+                           residual_sensitivity(checks(c_));
         s.deviations = positions_of(-residuals_of(c_, c_.solution, checks(c_)));
         s.before = positions_of(-residuals_of(nominal, nominal.solution, checks(c_)));
         s.u_deviations = positions_of(D.rowwise().norm());

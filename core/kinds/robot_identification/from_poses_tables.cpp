@@ -23,53 +23,6 @@ Eigen::MatrixXd parameter_covariance(const Calibration& c) {
     return c.statistics.covariance.bottomRightCorner(n, n);
 }
 
-/// The unknown with which unknown i is correlated most.
-std::pair<std::size_t, double> partner_of(const Eigen::MatrixXd& C, std::size_t i) {
-    std::pair<std::size_t, double> most{i, 0.0};
-    for (Index k = 0; k < C.cols(); ++k) {
-        const auto row = static_cast<Index>(i);
-        const double scale = std::sqrt(C(row, row) * C(k, k));
-        if (k == row || !(scale > 0.0)) continue;
-        if (const double r = C(row, k) / scale; std::abs(r) > std::abs(most.second))
-            most = {static_cast<std::size_t>(k), r};
-    }
-    return most;
-}
-
-Table observability_table(const Calibration& c) {
-    const FitStatistics& s = c.statistics;
-    Table table{"observability", "Observability"};
-    table.add("quantity");
-    table.add("value").figure(3);
-    const double smallest = s.singular_values[s.singular_values.size() - 1];
-    const auto add = [&](Message name, Cell value) { table.row({std::move(name), std::move(value)}); };
-    add(tell<"coordinates in the fit">(), std::to_string(c.rows()));
-    add(tell<"unknowns (rank)">(), std::to_string(c.unknowns.size()));
-    add(tell<"degrees of freedom">(), std::to_string(c.rows() - c.unknowns.size()));
-    add(tell<"condition of the fit">(), s.singular_values[0] / smallest);
-    add(tell<"smallest singular value">(), smallest);
-    add(tell<"residuals over what uncertainties explain">(), s.scatter);
-    Message names;
-    for (Index i = 0; i < s.weakest.size(); ++i)
-        if (std::abs(s.weakest[i]) > 0.3)
-            names += Message(names.empty() ? "" : ", ") + c.unknowns[static_cast<std::size_t>(i)].name();
-    table.notes = {tell<"Singular values are those of the weighted Jacobian with columns of length one.">(),
-                   tell<"Least well told apart: %1.">(names)};
-    return table;
-}
-
-Table coupling_table(const Calibration& c) {
-    Table table{"coupling", "Strongest correlation of each unknown"};
-    table.add("unknown");
-    table.add("coupled with");
-    table.add("r").symbol().figure(3);
-    for (std::size_t i = 0; i < c.unknowns.size(); ++i) {
-        const auto [other, r] = partner_of(c.statistics.covariance, i);
-        if (other != i) table.row({c.unknowns[i].name(), c.unknowns[other].name(), r});
-    }
-    return table;
-}
-
 Table residual_table(const Calibration& c) {
     const Unit um = Unit::of("um");
     Table table{"residuals", "Residuals of the fit, measured less calculated"};
@@ -78,7 +31,7 @@ Table residual_table(const Calibration& c) {
     table.add("largest over its u").figure(2);
     table.add("outlier test");
     const auto m = static_cast<Index>(c.rows_per_pose());
-    const FitStatistics& s = c.statistics;
+    const PoseStatistics& s = c.statistics;
     for (std::size_t k = 0; k < c.fitted_poses; ++k) {
         const Index row = static_cast<Index>(k) * m;
         double largest = 0.0;
@@ -103,7 +56,7 @@ Table check_table(const Calibration& c) {
     table.add("distance").in(um).figure(3);
     table.add("U (k = 2), largest").in(um).figure(2);
     table.add("E_n, largest").figure(2);
-    const FitStatistics& s = c.statistics;
+    const PoseStatistics& s = c.statistics;
     for (std::size_t k = c.fitted_poses; k < c.poses.size(); ++k) {
         const Index row = 3 * static_cast<Index>(k - c.fitted_poses);
         const Eigen::Vector3d d = s.deviations.segment<3>(row), u = s.u_deviations.segment<3>(row);
@@ -143,10 +96,18 @@ std::vector<IdentifiedParameter> Calibration::parameters() const {
     return found;
 }
 
+std::vector<Message> Calibration::names() const {
+    std::vector<Message> names;
+    for (const Unknown& u : unknowns) names.push_back(u.name());
+    return names;
+}
+
 std::vector<Table> tables(const Calibration& c) {
     std::vector<Table> all{
         identified_table(c.robot(), c.parameters(), parameter_values(c), parameter_covariance(c)),
-        held_table(c.held), observability_table(c), coupling_table(c)};
+        held_table(c.held)};
+    for (Table& table : observability_tables(c.statistics, c.names(), tell<"coordinates in the fit">()))
+        all.push_back(std::move(table));
     if (!c.simulated) all.push_back(residual_table(c));
     if (c.fitted_poses < c.poses.size()) all.push_back(check_table(c));
     return all;
@@ -176,13 +137,7 @@ Layout layout(const Calibration& c) {
 RobotData identified(const Calibration& c) {
     RobotData data = identified_robot(c.robot(), c.parameters(), parameter_values(c));
     data.X_WB = c.X_MB;
-    for (std::size_t j = 0; j < data.joints.size(); ++j)
-        for (const UncertaintyComponent& component : c.robot().reading(j))
-            (component.id == "encoder" ? data.u_encoder : data.u_repeatability).resize(data.joints.size());
-    for (std::size_t j = 0; j < data.joints.size(); ++j)
-        for (const UncertaintyComponent& component : c.robot().reading(j))
-            (component.id == "encoder" ? data.u_encoder : data.u_repeatability)[j] =
-                component.distribution.standard_uncertainty();
+    take_reading_uncertainties(c.robot(), data);
     return data;
 }
 

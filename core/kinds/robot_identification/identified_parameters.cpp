@@ -71,6 +71,17 @@ RobotData identified_robot(const SerialRobotSource& nominal, const std::vector<I
     return data;
 }
 
+void take_reading_uncertainties(const SerialRobotSource& robot, RobotData& data) {
+    const auto figures_of = [&](const UncertaintyComponent& component) -> std::vector<double>& {
+        return component.id == "encoder" ? data.u_encoder : data.u_repeatability;
+    };
+    for (std::size_t j = 0; j < data.joints.size(); ++j)
+        for (const UncertaintyComponent& component : robot.reading(j)) {
+            figures_of(component).resize(data.joints.size());
+            figures_of(component)[j] = component.distribution.standard_uncertainty();
+        }
+}
+
 std::shared_ptr<const Asset> robot_of_analysis(RobotData data, const std::vector<IdentifiedParameter>& found,
                                                const std::string& analysis) {
     for (const IdentifiedParameter& p : found)

@@ -35,6 +35,8 @@ Table held_table(const std::vector<HeldParameter>& held);
 /// The nominal arm with the found values, without uncertainties.
 RobotData identified_robot(const SerialRobotSource& nominal, const std::vector<IdentifiedParameter>& found,
                            const std::vector<double>& values);
+/// Its joints are read as surely as those of `robot`.
+void take_reading_uncertainties(const SerialRobotSource& robot, RobotData& data);
 /// The robot whose found parameters are outputs of the analysis `analysis`: group "joint 3", by symbol.
 std::shared_ptr<const Asset> robot_of_analysis(RobotData data, const std::vector<IdentifiedParameter>& found,
                                                const std::string& analysis);

@@ -1,0 +1,337 @@
+// Where the search begins, the fit, and what it warns of.
+#include <Eigen/Geometry>
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+
+#include "core/kinds/robot_identification/from_readings.h"
+#include "core/kinds/robot_identification/input_sensitivity.h"
+#include "core/math/decompositions.h"
+#include "core/text/numbers.h"
+
+namespace covaria::reading_identification {
+
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+struct RowRange {
+    std::size_t first, last;
+    std::size_t count() const { return last - first; }
+};
+RowRange fitted(const Identification& id) {
+    return {0, id.fitted_rows};
+}
+RowRange held_back(const Identification& id) {
+    return {id.fitted_rows, id.rows.size()};
+}
+
+VectorXd residuals_of(const Identification& id, const std::vector<double>& v, RowRange range) {
+    const std::vector<double> x = estimates_of(id);
+    Scene<double> scene;
+    scene_of<double>(id, v, x, scene);
+    VectorXd r(static_cast<Index>(range.count()));
+    residuals<double>(id, range.first, range.last, scene, x,
+                      [&](std::size_t row, double value) { r[static_cast<Index>(row)] = value; });
+    return r;
+}
+
+/// d(calculated)/d(unknown) = −d(residual)/d(unknown).
+MatrixXd jacobian_of(const Identification& id, const std::vector<double>& v, RowRange range) {
+    const std::vector<double> x = estimates_of(id);
+    const std::size_t n = v.size();
+    MatrixXd A(static_cast<Index>(range.count()), static_cast<Index>(n));
+    std::vector<Dual> variables(v.begin(), v.end());
+    Scene<Dual> scene;
+    for (std::size_t first = 0; first < n; first += Dual::size) {
+        const std::size_t last = std::min(first + Dual::size, n);
+        for (std::size_t i = first; i < last; ++i) variables[i] = Dual::variable(v[i], i - first);
+        scene_of<Dual>(id, variables, x, scene);
+        residuals<Dual>(id, range.first, range.last, scene, x, [&](std::size_t row, const Dual& value) {
+            for (std::size_t i = first; i < last; ++i)
+                A(static_cast<Index>(row), static_cast<Index>(i)) = -value.partials()[i - first];
+        });
+        for (std::size_t i = first; i < last; ++i) variables[i] = Dual(v[i]);
+    }
+    return A;
+}
+
+identification::FitFunctions functions_of(const Identification& id) {
+    return {[&id](const std::vector<double>& v) { return residuals_of(id, v, fitted(id)); },
+            [&id](const std::vector<double>& v) { return jacobian_of(id, v, fitted(id)); }};
+}
+
+/// Base, places and targets take over what was found, so that rotations and tilts are small again.
+void absorb(Identification& id, std::vector<double>& v) {
+    Eigen::Vector3d turned = Eigen::Vector3d::Zero();
+    std::vector<Eigen::Vector3d> planes(id.fixed_places.size(), Eigen::Vector3d::Zero());
+    for (std::size_t i = 0; i < v.size(); ++i) {
+        const Unknown& u = id.unknowns[i];
+        const auto k = static_cast<Index>(u.coordinate);
+        if (u.kind == UnknownKind::base && k >= 3) {
+            turned[k - 3] = std::exchange(v[i], 0.0);
+        } else if (u.kind == UnknownKind::base) {
+            id.X_MB.translation()[k] = v[i];
+        } else if (u.kind == UnknownKind::target) {
+            id.arm_targets[u.of].p_F[k] = v[i];
+        } else if (u.kind == UnknownKind::place && id.fixed_places[u.of].plane) {
+            planes[u.of][k] = std::exchange(v[i], 0.0);
+        } else if (u.kind == UnknownKind::place) {
+            id.fixed_places[u.of].p[k] = v[i];
+        }
+    }
+    id.X_MB.linear() = (id.X_MB.linear() * rotation_from_zyx<double>(turned)).eval();
+    for (std::size_t k = 0; k < planes.size(); ++k) {
+        Place& place = id.fixed_places[k];
+        if (!place.plane || planes[k].isZero(0.0)) continue;
+        Eigen::Vector3d point, normal;
+        put_plane<double>(place, planes[k], point, normal);
+        place.p = point;
+        const Eigen::Vector3d along =
+            (place.axes.col(0) - normal * normal.dot(place.axes.col(0))).normalized();
+        place.axes << along, normal.cross(along), normal;
+    }
+}
+
+Message rows_in_words(const Identification& id, const std::vector<std::size_t>& rows) {
+    constexpr std::size_t most_named = 3;
+    Message words;
+    for (std::size_t k = 0; k < rows.size() && k < most_named; ++k) {
+        const Message& row = id.rows[rows[k]].name;
+        words = words.empty() ? row : tell<"%1; %2">(words, row);
+    }
+    if (rows.size() > most_named) words = tell<"%1 and %2 more">(words, rows.size() - most_named);
+    return words;
+}
+
+void warn_of_outlier(const Identification& id, Problems& problems) {
+    const auto& s = id.statistics;
+    const Row& row = id.rows[static_cast<std::size_t>(s.worst_row())];
+    Message words = tell<
+        "%1: the residual is %2 times its standard uncertainty (limit %3). Look at this reading first; "
+        "hold it back by use = check">(row.name, format_short(s.worst_size()), format_short(s.limit));
+    if (!s.alike.empty())
+        words =
+            tell<"%1. An error of it cannot be told apart from one of %2">(words, rows_in_words(id, s.alike));
+    problems.warning(row.source, std::move(words));
+}
+
+void warn(const Identification& id, Problems& problems) {
+    const auto& s = id.statistics;
+    const double condition = condition_of(s);
+    if (condition >= identification::most_condition)
+        problems.warning(fields().place(&Identification::stated_poses),
+                         tell<"these poses hardly tell %1 apart (condition %2): turn more joints further, or "
+                              "hold one of them">(least_told(s, id.names()), format_short(condition, 2)));
+    if (id.simulated) return;
+    if (s.has_outlier()) warn_of_outlier(id, problems);
+    if (!s.scatters_too_much()) return;
+    Problem problem{
+        .severity = Severity::warning,
+        .path = id.rows.front().source.substr(0, id.rows.front().source.find('/', 1)),
+        .message = tell<
+            "the residuals are %1 times as large as the uncertainties of the readings explain: there is "
+            "more than these (a joint's elasticity, temperature, an outlier), and the uncertainty of the "
+            "parameters is stated too small">(format_short(s.scatter))};
+    if (id.uncertainties == evidence::UncertaintiesFrom::stated && s.evidence.readings)
+        problem.remedies = {remedy_as_seen(fields().place(&Identification::uncertainties))};
+    problems.add(std::move(problem));
+}
+
+class FitToReadings {
+public:
+    FitToReadings(Identification& id, Problems& problems) : id_(id), problems_(problems) {}
+
+    bool run() {
+        find_weights();
+        if (!id_.simulated) find_start(id_);
+        // The surroundings follow the nominal arm first: what the rows can tell is judged where they are.
+        Identification nominal = id_;
+        std::erase_if(nominal.unknowns, [](const Unknown& u) {
+            return u.kind == UnknownKind::parameter || u.kind == UnknownKind::compliance;
+        });
+        settle(nominal);
+        id_.X_MB = nominal.X_MB;
+        id_.fixed_places = nominal.fixed_places;
+        id_.arm_targets = nominal.arm_targets;
+        hold_the_scale(values_of(id_));
+        select(id_);
+        std::vector<double> v;
+        if (!search(nominal, v)) return false;
+        // Where the nominal arm misses the planes by what it is off, only the solution shows it.
+        if (hold_the_scale(v) && !search(nominal, v)) return false;
+        absorb(id_, v);
+        id_.solution = v;
+        const MatrixXd design = jacobian_of(id_, v, fitted(id_));
+        const auto gain = identification::gain_of(w_.asDiagonal() * design, w_);
+        if (!gain)
+            return refuse(tell<"at the solution the unknowns cannot be told apart; hold one of those that "
+                               "the table of observability names">());
+        id_.gain = gain->gain;
+        find_statistics(*gain, design, nominal);
+        warn(id_, problems_);
+        return true;
+    }
+
+private:
+    bool search(const Identification& nominal, std::vector<double>& v) {
+        if (!id_.has_kind(UnknownKind::parameter) && !id_.has_kind(UnknownKind::compliance))
+            return refuse(
+                tell<"no parameter of the arm can be told from these readings: every one of them is "
+                     "coupled with others or held">());
+        if (id_.fitted_rows <= id_.unknowns.size())
+            return refuse(
+                tell<"the fit has %1 readings, no more than there are unknowns to find (%2): measure "
+                     "more, or hold parameters">(id_.fitted_rows, id_.unknowns.size()));
+        v = start(nominal);
+        return minimise(functions_of(id_), w_, v) ||
+               refuse(
+                   tell<"the fit does not converge: look for exchanged poses, readings of the wrong sign or "
+                        "in another unit, and for a nominal robot that is another arm">());
+    }
+
+    bool refuse(const Message& message) {
+        problems_.error(fields().place(&Identification::stated_poses), message);
+        return false;
+    }
+
+    /// Without the scale that distances share, which no weight can lessen.
+    double own_uncertainty(const Row& row) const {
+        if (row.kind == RowKind::x || row.kind == RowKind::y || row.kind == RowKind::z)
+            return standard_uncertainty_of(id_.inputs, row.input);
+        const std::size_t own = id_.inputs.quantities[row.input].shares.front().component;
+        return id_.inputs.components[own].distribution.standard_uncertainty();
+    }
+
+    void find_weights() {
+        w_.resize(static_cast<Index>(id_.fitted_rows));
+        for (std::size_t i = 0; i < id_.fitted_rows; ++i) {
+            const double u = own_uncertainty(id_.rows[i]);
+            w_[static_cast<Index>(i)] = u > 0.0 ? 1.0 / u : 0.0;
+        }
+        exact_ = !(w_.minCoeff() > 0.0);
+        if (exact_) w_.setOnes();  // exact readings: all are alike
+    }
+
+    /// Relative standard uncertainty of the size of the arm: of all its lengths together, while targets and
+    /// surroundings follow as they can. A factor changes a reading by what is read, not by what an arm that
+    /// is only about right lets expect: the residuals count as well. `v`: values of the unknowns.
+    double scale_uncertainty(const std::vector<double>& v) const {
+        const MatrixXd A = w_.asDiagonal() * jacobian_of(id_, v, fitted(id_));
+        VectorXd moved = w_.cwiseProduct(residuals_of(id_, v, fitted(id_)));
+        double by_single_lengths = 0.0;
+        MatrixXd others(A.rows(), 0);
+        for (std::size_t i = 0; i < v.size(); ++i) {
+            const Unknown& u = id_.unknowns[i];
+            const auto column = static_cast<Index>(i);
+            if (u.kind == UnknownKind::parameter && is_length(u.parameter)) {
+                moved += A.col(column) * v[i];
+                by_single_lengths = std::hypot(by_single_lengths, A.col(column).norm() * v[i]);
+            }
+            if (u.kind == UnknownKind::parameter || u.kind == UnknownKind::compliance) continue;
+            if (!(A.col(column).norm() > 0.0)) continue;
+            others.conservativeResize(Eigen::NoChange, others.cols() + 1);
+            others.rightCols<1>() = A.col(column).normalized();
+        }
+        if (!(by_single_lengths > 0.0)) return 0.0;
+        VectorXd rest = moved;
+        if (others.cols() > 0) rest -= others * others.completeOrthogonalDecomposition().solve(moved);
+        // Exact readings are taken to be good to a ten millionth of the lengths.
+        return (exact_ ? 1e-7 * by_single_lengths : 1.0) / rest.norm();
+    }
+
+    /// Holds the longest length where the readings hardly tell the size of the arm: a short one, held at a
+    /// value that is only about right, would let it be of any size.
+    bool hold_the_scale(const std::vector<double>& v) {
+        constexpr double most = 1e-3;
+        if (scale_is_held_ || scale_uncertainty(v) < most) return false;
+        const auto length_of = [&](const Unknown& u) {
+            return u.kind == UnknownKind::parameter && is_length(u.parameter)
+                       ? std::abs(id_.robot().joints()[u.of].values[u.parameter])
+                       : 0.0;
+        };
+        const auto longest = std::ranges::max_element(id_.unknowns, {}, length_of);
+        if (longest == id_.unknowns.end() || !(length_of(*longest) > 0.0)) return false;
+        id_.held.push_back({id_.name_of(*longest), tell<"gives the scale, which the readings do not tell: "
+                                                        "all lengths of the arm may be larger by one "
+                                                        "factor">()});
+        problems_.warning(
+            fields().place(&Identification::distances),
+            tell<"these readings do not tell the scale: all lengths of the arm, and how far away "
+                 "the planes are, may be larger by one factor. %1 is held at its nominal value, "
+                 "the other lengths are as certain as it is; a distance between two poses or from "
+                 "a known point gives the scale">(id_.name_of(*longest)));
+        id_.unknowns.erase(longest);
+        return scale_is_held_ = true;
+    }
+
+    void select(Identification& id) {
+        const MatrixXd A = w_.asDiagonal() * jacobian_of(id, values_of(id), fitted(id));
+        auto [told, held] = identification::told_apart(A, id.names());
+        std::vector<Unknown> unknowns;
+        for (const std::size_t i : told) unknowns.push_back(id.unknowns[i]);
+        id.unknowns = std::move(unknowns);
+        id.held.insert(id.held.end(), held.begin(), held.end());
+    }
+
+    /// Finds the surroundings with the nominal arm; where that fails they stay where they began.
+    void settle(Identification& nominal) {
+        select(nominal);
+        std::vector<double> v = values_of(nominal);
+        std::vector<double> found = v;
+        if (minimise(functions_of(nominal), w_, found)) v = std::move(found);
+        absorb(nominal, v);
+        nominal.solution = v;
+    }
+
+    /// Zeros begin where the nominal arm has them.
+    std::vector<double> start(const Identification& nominal) const {
+        std::vector<double> v = values_of(id_);
+        for (std::size_t i = 0; i < v.size(); ++i)
+            for (std::size_t k = 0; k < nominal.unknowns.size(); ++k)
+                if (id_.unknowns[i].kind == UnknownKind::zero &&
+                    nominal.unknowns[k].kind == UnknownKind::zero &&
+                    id_.unknowns[i].of == nominal.unknowns[k].of)
+                    v[i] = nominal.solution[k];
+        return v;
+    }
+
+    /// Residuals of a range of rows by components, the unknowns as they are.
+    MatrixXd residual_sensitivity(RowRange range) const {
+        return scaled_sensitivity(id_.inputs, range.count(), [&](const EstimatedInputs& x, const auto& set) {
+            Scene<Dual> scene;
+            scene_of<Dual>(id_, id_.solution, x, scene);
+            residuals<Dual>(id_, range.first, range.last, scene, x, set);
+        });
+    }
+
+    void find_statistics(const identification::Gain& gain, const MatrixXd& design,
+                         const Identification& nominal) {
+        const MatrixXd from_inputs = residual_sensitivity(fitted(id_));
+        take_statistics(id_.statistics, gain, residuals_of(id_, id_.solution, fitted(id_)), design,
+                        from_inputs, w_);
+        if (!id_.simulated) find_evidence(id_, design, from_inputs);
+        const RowRange checks = held_back(id_);
+        if (checks.count() == 0) return;
+        const MatrixXd D =
+            jacobian_of(id_, id_.solution, checks) * (id_.gain * from_inputs) - residual_sensitivity(checks);
+        id_.deviations = -residuals_of(id_, id_.solution, checks);
+        id_.before = -residuals_of(nominal, nominal.solution, checks);
+        id_.u_deviations = D.rowwise().norm();
+    }
+
+    Identification& id_;
+    Problems& problems_;
+    VectorXd w_;
+    bool exact_ = false, scale_is_held_ = false;
+};
+
+}  // namespace
+
+bool fit(Identification& id, Problems& problems) {
+    return FitToReadings(id, problems).run();
+}
+
+}  // namespace covaria::reading_identification
