@@ -24,6 +24,7 @@
 #include "core/kinds/robot_identification/from_poses_model.h"
 #include "core/kinds/robot_identification/from_readings_model.h"
 #include "core/kinds/robot_identification/from_trajectories_model.h"
+#include "core/kinds/robot_identification/hand_eye_model.h"
 #include "core/kinds/sheets/history_model.h"
 #include "core/kinds/sheets/models.h"
 #include "core/kinds/sheets/robot_poses_model.h"
@@ -52,6 +53,7 @@ const std::vector<ModelDescriptor>& model_registry() {
                                                      robot_circle_points_model(),
                                                      robot_calibration_model(),
                                                      robot_from_readings_model(),
+                                                     hand_eye_model(),
                                                      force_channels_model(),
                                                      force_loads_model(),
                                                      measurement_equation_model(),

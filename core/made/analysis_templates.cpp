@@ -332,6 +332,8 @@ const std::vector<AnalysisTemplate>& analysis_templates() {
          "Parameters of an arm from measured places of its flange.", "er10l-c10", "poses-measured"},
         {Topic::robot, "Robot from distances, planes and balls",
          "Parameters of an arm from what can be measured without poses.", "robot-readings", "distances"},
+        {Topic::robot, "Hand-eye calibration",
+         "Where a camera is on the flange, or a tracker beside the robot.", "eye-on-hand", "camera"},
         {Topic::equation, "Calibration of a force/moment sensor",
          "Errors and uncertainty of the channels of a multi-axis sensor.", "force-moment-sensor", "combined"},
         {Topic::equation, "Forces and moments from readings",

@@ -20241,62 +20241,6 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Reading of joint 1, if it turns; empty: its zero reading.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Reading of joint 2, if it turns; empty: its zero reading.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Reading of joint 3, if it turns; empty: its zero reading.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Reading of joint 4, if it turns; empty: its zero reading.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Reading of joint 5, if it turns; empty: its zero reading.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Reading of joint 6, if it turns; empty: its zero reading.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Reading of joint 7, if it turns; empty: its zero reading.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Reading of joint 1, if it slides; empty: its zero reading.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Reading of joint 2, if it slides; empty: its zero reading.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Reading of joint 3, if it slides; empty: its zero reading.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Reading of joint 4, if it slides; empty: its zero reading.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Reading of joint 5, if it slides; empty: its zero reading.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Reading of joint 6, if it slides; empty: its zero reading.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Reading of joint 7, if it slides; empty: its zero reading.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Torque of the load about the axis of joint 1, where compliances are found; empty: none.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -20630,6 +20574,206 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     </message>
     <message>
         <source>U (k = 2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hand-eye calibration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where an instrument on a robot&apos;s flange is and where its target stands, or the other way round (A X = Z B), with covariance, residuals and validation.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Least squares is on what was measured, and not on A X = Z B itself: an error of a rotation counts by its own u, and not by the lever of X.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Errors of the arm are taken to be independent from pose to pose; an arm that is wrong by its parameters shows larger residuals, and an identified robot is the better way.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where all turns of the flange are about one direction, the position along it is not told and named.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The flange carries</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The instrument (a camera on the hand), which measures a target that stands still. Or the target, which an instrument that stands still measures.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the instrument</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the target</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Poses of the flange, and where the instrument saw the target in each.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>fit: taken into the fit. check: held back, to see how well the result tells it. Empty: fit.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Coordinate x of the flange in the frame of the robot&apos;s base, as the controller says.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Coordinate y of the flange in the frame of the robot&apos;s base, as the controller says.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Coordinate z of the flange in the frame of the robot&apos;s base, as the controller says.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Angle of the flange&apos;s orientation, R = Rz(gamma) Ry(beta) Rx(alpha): W, P, R of some controllers, C, B, A of others.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Coordinate of the target in the frame of the instrument, as measured.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Angle of the target&apos;s orientation in the frame of the instrument, composed likewise; empty in all rows where points alone are measured.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measured positions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of each measured coordinate, independent.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measured orientations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of the measured rotation about each axis of the target, independent.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Positions of the flange</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of each coordinate of the flange, independent in each pose: repeatability, errors of the arm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Orientations of the flange</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of the rotation about each axis of the flange, independent in each pose.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where a camera is on the flange, or a tracker beside the robot.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A camera on the hand of a robot, a tracker beside it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where a camera is on the flange and a board in the cell, and where a tracker stands and a reflector is on the flange.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>orientations of the flange</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>positions of the flange</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>these poses hardly tell %1 apart (condition %2): turn the flange further, about other axes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pose %1: a residual is %2 times its standard uncertainty (limit %3). Look at this pose first; hold it back by use = check</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the residuals are %1 times as large as the stated uncertainties explain: errors of the arm, of the instrument, an outlier; X and Z are then less certain than stated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the fit does not converge: look for exchanged poses, angles in another order or unit, and for what the flange carries</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at the solution X and Z cannot be told apart</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>E_n = |d|/U: below 1 the pose agrees with the calibration.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>instrument in the frame of the flange</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>target in the frame of the base</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>target in the frame of the flange</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>instrument in the frame of the base</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>instrument %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>start: linear in both rotations, then in both positions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the fit has %1 poses; it needs %2 or more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pose %1: its measured orientation is missing; give alpha_m, beta_m and gamma_m of every pose, or of none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>measured pose</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pose of the flange</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pose %1, %2, rotation about %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pose %1, %2, %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>measured poses</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>poses of the flange</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
