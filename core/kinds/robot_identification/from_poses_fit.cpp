@@ -260,7 +260,8 @@ private:
 
     void select() {
         const MatrixXd A = w_.asDiagonal() * jacobian_of(c_, start_of(c_), fitted(c_));
-        auto [told, held] = identification::told_apart(A, c_.names());
+        auto [told, held] = identification::told_apart(
+            A, c_.names(), tell<"does not move the measured points in any pose">());
         std::vector<Unknown> unknowns;
         for (const std::size_t i : told) unknowns.push_back(c_.unknowns[i]);
         c_.unknowns = std::move(unknowns);

@@ -34,10 +34,7 @@ Table residual_table(const Calibration& c) {
     const PoseStatistics& s = c.statistics;
     for (std::size_t k = 0; k < c.fitted_poses; ++k) {
         const Index row = static_cast<Index>(k) * m;
-        double largest = 0.0;
-        for (Index i = row; i < row + m; ++i)
-            if (s.u_residuals[i] > 0.0)
-                largest = std::max(largest, std::abs(s.residuals[i]) / s.u_residuals[i]);
+        const double largest = s.w.segment(row, m).maxCoeff();
         table.row({c.poses[k].name, s.residuals[row], s.residuals[row + 1], s.residuals[row + 2], largest,
                    largest > s.limit ? tell<"outlier">() : Message()});
     }

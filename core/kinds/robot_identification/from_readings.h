@@ -108,16 +108,17 @@ struct Place {
     std::size_t first_input = nothing;  ///< x, y, z of an uncertain point; offset of an uncertain plane
 };
 
-enum class RowKind { x, y, z, from_point, from_plane, between_poses };
+enum class RowKind { x, y, z, from_point, from_plane, between_poses, nominal_length };
 
 /// A number that was measured.
 struct Row {
     RowKind kind = RowKind::x;
     std::size_t pose = 0, target = 0;
-    std::size_t to = nothing;    ///< a place, or the other pose
+    std::size_t to = nothing;    ///< a place, the other pose, the joint of a nominal length
     std::size_t zero = nothing;  ///< an unknown zero that it contains
     std::size_t input = 0;
-    bool check = false;  ///< held back from the fit
+    bool check = false;             ///< held back from the fit
+    JointParameter parameter = {};  ///< of a nominal length
     double value = 0.0;
     Message name;
     std::string source;
@@ -146,7 +147,9 @@ struct Identification : StatedIdentification {
     std::vector<Unknown> unknowns;
     std::vector<double> solution;  ///< rotations of the base and tilts of planes from X_MB and axes
     std::vector<HeldParameter> held;
-    Eigen::MatrixXd gain;  ///< unknowns by rows of the fit
+    Message scale_note;             ///< where the readings hardly tell the scale: what gives it
+    Eigen::MatrixXd gain;           ///< unknowns by rows of the fit
+    std::vector<double> inverse_u;  ///< of the unknowns
     identification::FitStatistics statistics;
     Eigen::VectorXd deviations, u_deviations, before;  ///< at the rows held back: calculated less measured
     InputSet inputs;
@@ -166,6 +169,9 @@ std::optional<Identification> read(const SetupReader& setup, const AssetLibrary&
 void simulate(Identification& id);
 /// `Row::input`, first a row of the tables, becomes the index of an input quantity.
 void add_inputs(Identification& id, Problems& problems);
+/// The nominal value of a length, as uncertain as the robot states, becomes a row of the fit. False where it
+/// states no uncertainty.
+bool add_nominal(Identification& id, const Unknown& length);
 /// Of all input quantities.
 std::vector<double> estimates_of(const Identification& id);
 /// The unknowns as base, places, targets and the nominal arm have them.
@@ -323,6 +329,8 @@ void residuals(const Identification& id, std::size_t first, std::size_t last, co
                                         : place_of<Real>(id, scene, id.poses[row.to], target, x);
             for (int k = 0; k < 3; ++k) calculated += (p[k] - o[k]) * (p[k] - o[k]);
             calculated = sqrt(calculated);
+        } else if (row.kind == RowKind::nominal_length) {
+            calculated = row.parameter == JointParameter::d ? scene.T[row.to].d : scene.T[row.to].a;
         } else {
             calculated = p[static_cast<int>(row.kind) - static_cast<int>(RowKind::x)];
         }
@@ -332,8 +340,10 @@ void residuals(const Identification& id, std::size_t first, std::size_t last, co
 }
 
 /// Steps with the gain at the estimates; each reduces what is missing by the factor by which the gain changes
-/// within a trial (below 1e-3), so four leave rounding.
-inline constexpr int gain_steps = 4;
+/// within a trial. Derivatives are there after the first.
+inline constexpr int fewest_gain_steps = 4, most_gain_steps = 60;
+/// A trial is settled where its last step is below this part of the standard uncertainty of each unknown.
+inline constexpr double settled_step = 1e-6;
 
 /// Values of a trial that are reported beside the unknowns themselves.
 template <class Real>
@@ -345,25 +355,30 @@ struct Found {
 /// Unknowns in `found`, then `deviation(i, value)` of the rows held back, calculated less measured.
 template <class Real, class In, class Set>
 mask_of<Real> evaluate(const Identification& id, const In& x, Found<Real>& found, Set deviation) {
+    using namespace real_functions;
     const std::size_t n = id.unknowns.size();
     std::array<Real, most_unknowns> step;
     auto& v = found.v;
     for (std::size_t i = 0; i < n; ++i) v[i] = Real(id.solution[i]);
-    for (int k = 0; k < gain_steps; ++k) {
+    mask_of<Real> settled(false);
+    for (int k = 0; k < most_gain_steps && (k < fewest_gain_steps || !all(settled)); ++k) {
         scene_of<Real>(id, v, x, found.scene);
         for (std::size_t i = 0; i < n; ++i) step[i] = Real(0.0);
         residuals<Real>(id, 0, id.fitted_rows, found.scene, x, [&](std::size_t row, const Real& r) {
             const double* column = &id.gain(0, static_cast<Eigen::Index>(row));
             for (std::size_t i = 0; i < n; ++i) step[i] += Real(column[i]) * r;
         });
-        for (std::size_t i = 0; i < n; ++i) v[i] += step[i];
+        Real largest(0.0);
+        for (std::size_t i = 0; i < n; ++i) {
+            v[i] += step[i];
+            largest = max(largest, Real(abs(step[i]) * Real(id.inverse_u[i])));
+        }
+        settled = largest < Real(settled_step);
     }
-    Real last(0.0);
-    for (std::size_t i = 0; i < n; ++i) last += step[i] * step[i];
     scene_of<Real>(id, v, x, found.scene);
     residuals<Real>(id, id.fitted_rows, id.rows.size(), found.scene, x,
                     [&](std::size_t row, const Real& r) { deviation(row, Real(-r)); });
-    return last < Real(1e-20);
+    return settled;
 }
 
 }  // namespace covaria::reading_identification

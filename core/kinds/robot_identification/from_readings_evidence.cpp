@@ -22,6 +22,7 @@ FigureOfComponent figure_of_row(const Identification& id, const Row& row,
         case RowKind::x:
         case RowKind::y:
         case RowKind::z:
+        case RowKind::nominal_length:
             break;
     }
     if (id.locator.typed)
@@ -36,6 +37,7 @@ std::map<std::size_t, FigureOfComponent> figures_of_components(const Identificat
     FiguresOfReadings figures(id.inputs);
     for (std::size_t i = 0; i < id.fitted_rows; ++i) {
         const Row& row = id.rows[i];
+        if (row.kind == RowKind::nominal_length) continue;  // one figure by itself has no scatter
         const bool position = row.kind == RowKind::x || row.kind == RowKind::y || row.kind == RowKind::z;
         const std::size_t owner = position ? i - static_cast<std::size_t>(row.kind) : i;
         figures.take(row.input, owner, [&](const UncertaintyComponent& component, const InputQuantity&) {

@@ -163,6 +163,33 @@ void simulate(Identification& id) {
     id.rows = std::move(rows);
 }
 
+bool add_nominal(Identification& id, const Unknown& length) {
+    const IdentifiedParameter parameter{length.of, length.parameter};
+    const std::string symbol = parameter.symbol() + ",nominal";
+    std::vector<UncertaintyComponent> components;
+    for (const ParameterDeviation& deviation : id.robot().deviations()) {
+        if (deviation.joint != length.of || deviation.parameter != length.parameter) continue;
+        UncertaintyComponent component = deviation.component;
+        if (!(component.distribution.standard_uncertainty() > 0.0)) continue;
+        component.id = symbol + "." + component.id;
+        components.push_back(std::move(component));
+    }
+    if (components.empty()) return false;
+    const double value = id.robot().joints()[length.of].values[length.parameter];
+    Row row{.kind = RowKind::nominal_length,
+            .to = length.of,
+            .parameter = length.parameter,
+            .value = value,
+            .name = tell<"nominal %1">(parameter.symbol()),
+            .source = fields().place(&Stated::nominal)};
+    InputQuantity quantity{
+        .symbol = symbol, .name = row.name, .unit = Unit::of("mm"), .offset = value, .source = row.source};
+    quantity.tags = {{"kind", own_name<"nominal robot">()}};
+    row.input = id.inputs.add(std::move(quantity), std::move(components));
+    id.rows.insert(id.rows.begin() + static_cast<std::ptrdiff_t>(id.fitted_rows++), std::move(row));
+    return true;
+}
+
 void add_inputs(Identification& id, Problems& problems) {
     InputsOfRows(id, problems).add();
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <utility>
 
 #include "core/kinds/robot_identification/from_readings.h"
 
@@ -46,6 +47,37 @@ void read_normal(const Identification& id, std::size_t row, Place& place, Proble
                        where_is_it(stated, "n_x, n_y, n_z"));
 }
 
+/// A joint that other poses state has a reading in this one, too.
+void refuse_missing(const Identification& id, std::size_t row, Problems& problems) {
+    const auto& joints = id.robot().joints();
+    for (std::size_t j = 0; j < std::min(joints.size(), most_joints); ++j) {
+        const auto readings = joints[j].slides ? &StatedPose::s : &StatedPose::q;
+        if ((id.stated_poses[row].*readings)[j]) continue;
+        if (std::ranges::any_of(id.stated_poses,
+                                [&](const StatedPose& other) { return (other.*readings)[j].has_value(); }))
+            problems.error(fields().place(&Stated::stated_poses, row, readings, j),
+                           tell<"pose %1 lacks its reading %2, which other poses have">(
+                               id.stated_poses[row].name, reading_symbol(id.robot(), j)));
+    }
+}
+
+void refuse_unused(const Identification& id, std::size_t row, StatedReadings StatedPose::*readings,
+                   std::size_t j, Problems& problems) {
+    const auto& joints = id.robot().joints();
+    const std::string place = fields().place(&Stated::stated_poses, row, readings, j);
+    if (j >= joints.size())
+        return problems.error(place,
+                              tell<"the robot has only %1 joints; leave %2 empty">(
+                                  joints.size(), fields().columns(&Stated::stated_poses).key(readings, j)));
+    if (joints[j].slides && readings == &StatedPose::torque)
+        return problems.error(place,
+                              tell<"joint %1 slides: a compliance is found of joints that turn">(j + 1));
+    if (joints[j].slides == (readings == &StatedPose::s) || readings == &StatedPose::torque) return;
+    const std::string symbol = reading_symbol(id.robot(), j);
+    problems.error(place, joints[j].slides ? tell<"joint %1 slides: its reading is %2">(j + 1, symbol)
+                                           : tell<"joint %1 turns: its reading is %2">(j + 1, symbol));
+}
+
 /// Targets, places, poses and rows by what the tables say; names become indices.
 class RowReading {
 public:
@@ -73,14 +105,16 @@ private:
         return false;
     }
 
-    bool are_few(std::size_t count, std::size_t most, const std::string& place) {
+    bool are_few(std::size_t count, std::size_t most, const std::string& place, const Message& what) {
         if (count <= most) return true;
-        problems_.error(place, tell<"at most %1 of them are taken, and there are %2">(most, count));
+        problems_.error(place, tell<"at most %1 %2 are taken">(most, what));
         return false;
     }
 
     void read_targets() {
-        if (!are_few(id_.targets.size(), most_targets, fields().place(&Stated::targets))) return;
+        if (!are_few(id_.targets.size(), most_targets, fields().place(&Stated::targets),
+                     tell<"balls and reflectors">()))
+            return;
         for (std::size_t row = 0; row < id_.targets.size(); ++row) {
             const StatedTarget& stated = id_.targets[row];
             is_new(targets_, stated.name, fields().place(&Stated::targets, row));
@@ -89,10 +123,15 @@ private:
     }
 
     void read_places() {
-        if (!are_few(id_.places.size(), most_places, fields().place(&Stated::places))) return;
+        if (!are_few(id_.places.size(), most_places, fields().place(&Stated::places),
+                     tell<"points and planes">()))
+            return;
         for (std::size_t row = 0; row < id_.places.size(); ++row) {
             const StatedPlace& stated = id_.places[row];
             is_new(places_, stated.name, fields().place(&Stated::places, row));
+            if (targets_.contains(stated.name))
+                problems_.error(fields().place(&Stated::places, row),
+                                tell<"a ball on the arm is called %1, too">(stated.name));
             Place place{.name = stated.name, .plane = stated.plane, .found = stated.found};
             for (int k = 0; k < 3; ++k) place.p[k] = stated.p[static_cast<std::size_t>(k)].value_or(0.0);
             if (!stated.found || id_.simulated) check_place(id_, row, problems_);
@@ -108,6 +147,7 @@ private:
             is_new(poses_, stated.name, fields().place(&Stated::stated_poses, row));
             Pose pose{.name = stated.name, .q = {}};
             pose.reading.fill(nothing);
+            refuse_missing(id_, row, problems_);
             for (std::size_t j = 0; j < std::min(joints.size(), most_joints); ++j) {
                 pose.q.push_back((joints[j].slides ? stated.s : stated.q)[j].value_or(joints[j].zero));
                 pose.turns.push_back(joints[j].slides ? Turn<double>()
@@ -116,25 +156,9 @@ private:
             }
             for (std::size_t j = 0; j < most_joints; ++j)
                 for (const auto readings : {&StatedPose::q, &StatedPose::s, &StatedPose::torque})
-                    if ((stated.*readings)[j]) refuse_unused(row, readings, j);
+                    if ((stated.*readings)[j]) refuse_unused(id_, row, readings, j, problems_);
             id_.poses.push_back(std::move(pose));
         }
-    }
-
-    void refuse_unused(std::size_t row, StatedReadings StatedPose::*readings, std::size_t j) {
-        const auto& joints = id_.robot().joints();
-        const std::string place = fields().place(&Stated::stated_poses, row, readings, j);
-        if (j >= joints.size())
-            return problems_.error(
-                place, tell<"the robot has only %1 joints; leave %2 empty">(
-                           joints.size(), fields().columns(&Stated::stated_poses).key(readings, j)));
-        if (joints[j].slides && readings == &StatedPose::torque)
-            return problems_.error(place,
-                                   tell<"joint %1 slides: a compliance is found of joints that turn">(j + 1));
-        if (joints[j].slides == (readings == &StatedPose::s) || readings == &StatedPose::torque) return;
-        const std::string symbol = reading_symbol(id_.robot(), j);
-        problems_.error(place, joints[j].slides ? tell<"joint %1 slides: its reading is %2">(j + 1, symbol)
-                                                : tell<"joint %1 turns: its reading is %2">(j + 1, symbol));
     }
 
     std::optional<std::size_t> find(const Names& names, const std::string& name, const std::string& place,
@@ -199,7 +223,11 @@ private:
     std::size_t zero_called(const std::string& name) {
         const auto found = std::ranges::find(id_.zeros, name);
         if (found != id_.zeros.end()) return static_cast<std::size_t>(found - id_.zeros.begin());
-        are_few(id_.zeros.size() + 1, most_zeros, fields().place(&Stated::distances));
+        if (id_.zeros.size() == most_zeros) {
+            if (!std::exchange(too_many_zeros_, true))
+                are_few(most_zeros + 1, most_zeros, fields().place(&Stated::distances), tell<"zeros">());
+            return nothing;
+        }
         id_.zeros.push_back(name);
         return id_.zeros.size() - 1;
     }
@@ -237,6 +265,7 @@ private:
     Identification& id_;
     Problems& problems_;
     Names targets_, places_, poses_;
+    bool too_many_zeros_ = false;
 };
 
 void list_parameters(Identification& id, Problems& problems) {
@@ -274,8 +303,7 @@ void list_unknowns(Identification& id, Problems& problems) {
     list_parameters(id, problems);
     const auto& joints = id.robot().joints();
     for (std::size_t j = 0; id.compliant && j < joints.size(); ++j)
-        if (std::ranges::any_of(id.poses, [&](const Pose& pose) { return pose.torque[j] != 0.0; }))
-            unknowns.push_back({UnknownKind::compliance, j});
+        if (!joints[j].slides) unknowns.push_back({UnknownKind::compliance, j});
 }
 
 /// Evidence from a fit with the stated uncertainties; its problems will be those of the fit that follows.

@@ -8,6 +8,7 @@
 #include "core/kinds/robot/layout.h"
 #include "core/kinds/robot_identification/from_readings.h"
 #include "core/text/numbers.h"
+#include "core/text/symbol.h"
 
 namespace covaria::reading_identification {
 
@@ -30,36 +31,91 @@ Eigen::MatrixXd parameter_covariance(const Identification& id) {
     return id.statistics.covariance(of, of);
 }
 
-Cell length(double si) {
-    const Unit unit = Unit::of("mm");
-    return Quantity{unit.from_si(si), unit};
-}
-
-/// Base, places, zeros, targets and compliances with their standard uncertainty.
-Table surroundings_table(const Identification& id) {
-    Table table{"surroundings", "What was found beside the parameters"};
-    table.add("unknown");
-    table.add("value").estimate_of("u");
-    table.add("u").symbol().figure(2);
-    for (std::size_t i = 0; i < id.unknowns.size(); ++i) {
-        const Unknown& unknown = id.unknowns[i];
-        if (unknown.kind == UnknownKind::parameter) continue;
-        const auto k = static_cast<Index>(i);
-        const double u = std::sqrt(id.statistics.covariance(k, k));
-        const bool turns = (unknown.kind == UnknownKind::base && unknown.coordinate >= 3) ||
-                           (unknown.kind == UnknownKind::place && id.fixed_places[unknown.of].plane &&
-                            unknown.coordinate < 2);
-        if (turns) continue;  // zero by definition: they are about what was found
-        if (unknown.kind == UnknownKind::compliance) {
-            const Unit unit = Unit::of("urad/(N*m)");
-            table.row({id.name_of(unknown), Quantity{unit.from_si(id.solution[i]), unit},
-                       Quantity{unit.from_si(u), unit}});
-        } else {
-            table.row({id.name_of(unknown), length(id.solution[i]), length(u)});
-        }
+/// Rows of what was found beside the parameters; `slopes`: derivatives by the unknowns.
+class SurroundingsTable {
+public:
+    explicit SurroundingsTable(const Identification& id) : id_(id) {
+        table_.add("unknown");
+        table_.add("value").estimate_of("u");
+        table_.add("u").symbol().figure(2);
     }
-    return table;
-}
+
+    Table make() {
+        add_base_angles();
+        for (std::size_t i = 0; i < id_.unknowns.size(); ++i) {
+            const Unknown& unknown = id_.unknowns[i];
+            const bool turns = unknown.kind == UnknownKind::base && unknown.coordinate >= 3;
+            const bool plane = unknown.kind == UnknownKind::place && id_.fixed_places[unknown.of].plane;
+            if (unknown.kind == UnknownKind::parameter || turns || plane) continue;
+            const Unit unit = Unit::of(unknown.kind == UnknownKind::compliance ? "urad/(N*m)" : "mm");
+            add(id_.name_of(unknown), id_.solution[i], slope(i), unit);
+        }
+        for (std::size_t k = 0; k < id_.fixed_places.size(); ++k)
+            if (id_.fixed_places[k].plane && id_.fixed_places[k].found) add_plane(k);
+        return std::move(table_);
+    }
+
+private:
+    Eigen::VectorXd none() const { return Eigen::VectorXd::Zero(static_cast<Index>(id_.unknowns.size())); }
+    Eigen::VectorXd slope(std::size_t unknown) const {
+        Eigen::VectorXd slopes = none();
+        slopes[static_cast<Index>(unknown)] = 1.0;
+        return slopes;
+    }
+
+    void add(Message name, double value, const Eigen::VectorXd& slopes, const Unit& unit) {
+        const double u = std::sqrt(std::max(0.0, slopes.dot(id_.statistics.covariance * slopes)));
+        table_.row({std::move(name), Quantity{unit.interval_from_si(value), unit},
+                    Quantity{unit.interval_from_si(u), unit}});
+    }
+
+    /// Angles of the base by the small rotations about its axes, which the fit finds.
+    void add_base_angles() {
+        static const char* const symbols[] = {"alpha", "beta", "gamma"};
+        constexpr double turn = 1e-5;
+        if (!id_.has_kind(UnknownKind::base)) return;
+        const Eigen::Vector3d angles = zyx_from_rotation<double>(id_.X_MB.linear());
+        std::array<Eigen::VectorXd, 3> slopes{none(), none(), none()};
+        for (std::size_t i = 0; i < id_.unknowns.size(); ++i) {
+            const Unknown& unknown = id_.unknowns[i];
+            if (unknown.kind != UnknownKind::base || unknown.coordinate < 3) continue;
+            Eigen::Vector3d small = Eigen::Vector3d::Zero();
+            small[static_cast<Index>(unknown.coordinate) - 3] = turn;
+            const Eigen::Vector3d there =
+                zyx_from_rotation<double>(id_.X_MB.linear() * rotation_from_zyx<double>(small));
+            for (int k = 0; k < 3; ++k)
+                slopes[static_cast<std::size_t>(k)][static_cast<Index>(i)] =
+                    std::remainder(there[k] - angles[k], 2.0 * M_PI) / turn;
+        }
+        for (std::size_t k = 0; k < 3; ++k)
+            add(tell<"base %1">(symbol_to_unicode(symbols[k])), angles[static_cast<Index>(k)], slopes[k],
+                Unit::of("deg"));
+    }
+
+    void add_plane(std::size_t place) {
+        static const char* const axes[] = {"n_x", "n_y", "n_z"};
+        const Place& plane = id_.fixed_places[place];
+        const Eigen::Vector3d normal = plane.axes.col(2);
+        std::array<Eigen::VectorXd, 3> slopes{none(), none(), none()};
+        Eigen::VectorXd distance = none();
+        for (std::size_t i = 0; i < id_.unknowns.size(); ++i) {
+            const Unknown& unknown = id_.unknowns[i];
+            if (unknown.kind != UnknownKind::place || unknown.of != place) continue;
+            const auto k = static_cast<Index>(unknown.coordinate), column = static_cast<Index>(i);
+            distance[column] = k < 2 ? plane.p.dot(plane.axes.col(k)) : 1.0;
+            for (Index axis = 0; axis < 3 && k < 2; ++axis)
+                slopes[static_cast<std::size_t>(axis)][column] = plane.axes(axis, k);
+        }
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            add(tell<"%1 %2">(plane.name, axes[axis]), normal[static_cast<Index>(axis)], slopes[axis],
+                Unit());
+        add(tell<"distance of plane %1 from the origin">(plane.name), normal.dot(plane.p), distance,
+            Unit::of("mm"));
+    }
+
+    const Identification& id_;
+    Table table_{"surroundings", "What was found beside the parameters"};
+};
 
 Table residual_table(const Identification& id) {
     Table table{"residuals", "Residuals of the fit, measured less calculated"};
@@ -70,7 +126,7 @@ Table residual_table(const Identification& id) {
     const auto& s = id.statistics;
     for (std::size_t i = 0; i < id.fitted_rows; ++i) {
         const auto row = static_cast<Index>(i);
-        const double size = s.u_residuals[row] > 0.0 ? std::abs(s.residuals[row]) / s.u_residuals[row] : 0.0;
+        const double size = s.w[row];
         table.row({id.rows[i].name, s.residuals[row], size, size > s.limit ? tell<"outlier">() : Message()});
     }
     table.notes = {
@@ -241,7 +297,8 @@ bool Identification::has_kind(UnknownKind kind) const {
 std::vector<Table> tables(const Identification& id) {
     std::vector<Table> all{
         identified_table(id.robot(), id.parameters(), id.values_of_parameters(), parameter_covariance(id)),
-        surroundings_table(id), held_table(id.held)};
+        SurroundingsTable(id).make(), held_table(id.held)};
+    if (!id.scale_note.empty()) all.front().notes.push_back(id.scale_note);
     for (Table& table : observability_tables(id.statistics, id.names(), tell<"readings in the fit">()))
         all.push_back(std::move(table));
     if (!id.simulated) all.push_back(residual_table(id));

@@ -60,7 +60,8 @@ struct Calibration : StatedHandEye {
     std::vector<Unknown> unknowns;
     std::vector<double> solution;  ///< rotations from X and Z
     std::vector<HeldParameter> held;
-    Eigen::MatrixXd gain;  ///< unknowns by rows of the fit
+    Eigen::MatrixXd gain;           ///< unknowns by rows of the fit
+    std::vector<double> inverse_u;  ///< of the unknowns
     identification::FitStatistics statistics;
     Eigen::VectorXd deviations,
         u_deviations;  ///< of the pairs held back, positions, calculated less measured
@@ -138,18 +139,22 @@ void residuals(const Calibration& c, const Pair& pair, const Places<Real>& place
     r[5] = Real(0.5) * (turned(1, 0) - turned(0, 1));
 }
 
-/// Steps with the gain at the estimates, as in the other identifications.
-inline constexpr int gain_steps = 4;
+/// Steps with the gain at the estimates; derivatives are there after the first.
+inline constexpr int fewest_gain_steps = 4, most_gain_steps = 60;
+/// A trial is settled where its last step is below this part of the standard uncertainty of each unknown.
+inline constexpr double settled_step = 1e-6;
 
 /// X and Z of a trial, then `deviation(i, value)`: positions of the pairs held back, calculated less
 /// measured.
 template <class Real, class In, class Set>
 mask_of<Real> evaluate(const Calibration& c, const In& x, Places<Real>& places, Set deviation) {
+    using namespace real_functions;
     const std::size_t n = c.unknowns.size(), m = c.rows_per_pair();
     std::array<Real, most_unknowns> v, step;
     std::array<Real, 6> r;
     for (std::size_t i = 0; i < n; ++i) v[i] = Real(c.solution[i]);
-    for (int k = 0; k < gain_steps; ++k) {
+    mask_of<Real> settled(false);
+    for (int k = 0; k < most_gain_steps && (k < fewest_gain_steps || !all(settled)); ++k) {
         places = places_of<Real>(c, v);
         for (std::size_t i = 0; i < n; ++i) step[i] = Real(0.0);
         for (std::size_t pair = 0; pair < c.fitted_pairs; ++pair) {
@@ -159,16 +164,19 @@ mask_of<Real> evaluate(const Calibration& c, const In& x, Places<Real>& places, 
                 for (std::size_t i = 0; i < n; ++i) step[i] += Real(column[i]) * r[row];
             }
         }
-        for (std::size_t i = 0; i < n; ++i) v[i] += step[i];
+        Real largest(0.0);
+        for (std::size_t i = 0; i < n; ++i) {
+            v[i] += step[i];
+            largest = max(largest, Real(abs(step[i]) * Real(c.inverse_u[i])));
+        }
+        settled = largest < Real(settled_step);
     }
-    Real last(0.0);
-    for (std::size_t i = 0; i < n; ++i) last += step[i] * step[i];
     places = places_of<Real>(c, v);
     for (std::size_t pair = c.fitted_pairs; pair < c.pairs.size(); ++pair) {
         residuals<Real>(c, c.pairs[pair], places, x, r.data());
         for (std::size_t k = 0; k < 3; ++k) deviation(3 * (pair - c.fitted_pairs) + k, Real(-r[k]));
     }
-    return last < Real(1e-20);
+    return settled;
 }
 
 }  // namespace covaria::hand_eye

@@ -276,8 +276,8 @@ bool fit(Calibration& c, Problems& problems) {
     for (const bool of_X : {true, false})
         for (std::size_t k = 0; k < unknowns_of_a_pose; ++k) c.unknowns.push_back({of_X, k});
     const VectorXd w = weights_of(c);
-    auto [told, held] =
-        identification::told_apart(w.asDiagonal() * jacobian_of(c, values_of(c), fitted(c)), c.names());
+    auto [told, held] = identification::told_apart(w.asDiagonal() * jacobian_of(c, values_of(c), fitted(c)),
+                                                   c.names(), tell<"changes no reading">());
     std::vector<Unknown> unknowns;
     for (const std::size_t i : told) unknowns.push_back(c.unknowns[i]);
     c.unknowns = std::move(unknowns);
@@ -298,6 +298,7 @@ bool fit(Calibration& c, Problems& problems) {
     c.gain = gain->gain;
     const MatrixXd from_inputs = residual_sensitivity(c, fitted(c));
     take_statistics(c.statistics, *gain, residuals_of(c, v, fitted(c)), design, from_inputs, w);
+    c.inverse_u = identification::inverse_uncertainties(c.statistics.covariance);
     find_evidence(c, design, from_inputs);
     if (checks(c).count() > 0) {
         const MatrixXd D =

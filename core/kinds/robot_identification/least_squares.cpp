@@ -1,5 +1,6 @@
 #include "core/kinds/robot_identification/least_squares.h"
 
+#include <Eigen/Cholesky>
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
@@ -44,6 +45,48 @@ std::vector<std::size_t> rows_alike(const MatrixXd& deviations, Index row) {
     return rows;
 }
 
+/// Part of its uncertainty that a residual keeps: below it, rounding is all that is left.
+constexpr double least_control = 1e-5;
+
+/// What residuals scatter by themselves.
+void test_by_scatter(FitStatistics& s, const VectorXd& weights) {
+    s.w = VectorXd::Zero(s.residuals.size());
+    for (Index i = 0; i < s.w.size(); ++i)
+        if (s.u_residuals[i] > 0.0) s.w[i] = std::abs(s.residuals[i]) / s.u_residuals[i];
+    const double expected = weights.cwiseProduct(s.u_residuals).squaredNorm();
+    s.scatter = expected > 0.0 ? weights.cwiseProduct(s.residuals).norm() / std::sqrt(expected) : 0.0;
+}
+
+/// Tests by the covariance of all rows, so that what rows share, a known point or a scale, hides no error of
+/// one of them. False where there are too many rows, or the covariance is singular.
+bool test_whitened(FitStatistics& s, const MatrixXd& design, const MatrixXd& from_inputs) {
+    constexpr Index most_rows = 600;
+    const Index n = s.residuals.size();
+    if (n > most_rows || n <= design.cols()) return false;
+    const VectorXd own = from_inputs.rowwise().norm();
+    if (!(own.minCoeff() > 0.0)) return false;
+    const MatrixXd scaled = own.cwiseInverse().asDiagonal() * from_inputs;
+    const Eigen::LLT<MatrixXd> covariance(scaled * scaled.transpose());
+    if (covariance.info() != Eigen::Success) return false;
+    const auto L = covariance.matrixL();
+    if (!(MatrixXd(L).diagonal().minCoeff() > least_control)) return false;
+    MatrixXd A = L.solve(own.cwiseInverse().asDiagonal() * design);
+    A *= A.colwise().norm().cwiseInverse().asDiagonal();
+    const MatrixXd Q = Eigen::HouseholderQR<MatrixXd>(A).householderQ() * MatrixXd::Identity(n, A.cols());
+    const VectorXd r = L.solve(s.residuals.cwiseQuotient(own));
+    const VectorXd rest = r - Q * (Q.transpose() * r);
+    MatrixXd P = L.solve(MatrixXd::Identity(n, n));
+    const VectorXd lengths = P.colwise().norm();
+    const VectorXd tested = P.transpose() * rest;
+    P -= Q * (Q.transpose() * P);
+    s.w = VectorXd::Zero(n);
+    for (Index i = 0; i < n; ++i)
+        if (const double u = P.col(i).norm(); u > least_control * lengths[i])
+            s.w[i] = std::abs(tested[i]) / u;
+    s.scatter = rest.norm() / std::sqrt(static_cast<double>(n - design.cols()));
+    return true;
+}
+
 /// The unknown with which unknown i is correlated most.
 std::pair<std::size_t, double> partner_of(const MatrixXd& C, std::size_t i) {
     std::pair<std::size_t, double> most{i, 0.0};
@@ -55,6 +98,14 @@ std::pair<std::size_t, double> partner_of(const MatrixXd& C, std::size_t i) {
             most = {static_cast<std::size_t>(k), r};
     }
     return most;
+}
+
+/// A short step is no sign of a minimum where damping makes it short: an undamped one would lower the
+/// squares.
+bool is_at_rest(MatrixXd N, const VectorXd& scale, const VectorXd& gradient, const VectorXd& r) {
+    N.diagonal() += 1e-9 * scale.cwiseAbs2();
+    const auto step = damped_step(N, gradient);
+    return !step || step->dot(gradient) < 1e-3 * std::max(1e-6, r.squaredNorm());
 }
 
 Table coupling_table(const MatrixXd& covariance, const std::vector<Message>& names) {
@@ -97,7 +148,7 @@ bool minimise(const FitFunctions& fit, const VectorXd& w, std::vector<double>& v
         const VectorXd r_next = w.cwiseProduct(fit.residuals(next));
         if (dv.cwiseProduct(scale).norm() < 1e-9 * std::max(1e-3, r.norm()) || dv.norm() < 1e-13) {
             v = next;
-            return v.empty() || r_next.allFinite();
+            return v.empty() || (r_next.allFinite() && is_at_rest(N, scale, A.transpose() * r, r));
         }
         if (r_next.norm() < r.norm()) {
             v = std::move(next);
@@ -112,14 +163,14 @@ bool minimise(const FitFunctions& fit, const VectorXd& w, std::vector<double>& v
     return false;
 }
 
-Told told_apart(const MatrixXd& A, const std::vector<Message>& names) {
+Told told_apart(const MatrixXd& A, const std::vector<Message>& names, const Message& unmoved) {
     Told told;
     const double largest = A.cols() > 0 ? A.colwise().norm().maxCoeff() : 0.0;
     MatrixXd Q(A.rows(), 0), kept(A.rows(), 0);
     for (std::size_t i = 0; i < names.size(); ++i) {
         const double length = A.col(static_cast<Index>(i)).norm();
         if (!(length > least_length * largest)) {
-            told.held.push_back({names[i], tell<"does not move the measured points in any pose">()});
+            told.held.push_back({names[i], unmoved});
             continue;
         }
         const VectorXd column = A.col(static_cast<Index>(i)) / length;
@@ -151,13 +202,12 @@ std::optional<Gain> gain_of(const MatrixXd& A, const VectorXd& w) {
 
 Index FitStatistics::worst_row() const {
     Index worst = 0;
-    residuals.cwiseAbs().cwiseQuotient(u_residuals.cwiseMax(1e-300)).maxCoeff(&worst);
+    w.maxCoeff(&worst);
     return worst;
 }
 
 double FitStatistics::worst_size() const {
-    const Index worst = worst_row();
-    return u_residuals[worst] > 0.0 ? std::abs(residuals[worst]) / u_residuals[worst] : 0.0;
+    return w.maxCoeff();
 }
 
 bool FitStatistics::has_outlier() const {
@@ -170,7 +220,7 @@ bool FitStatistics::scatters_too_much() const {
 }
 
 void take_statistics(FitStatistics& s, const Gain& gain, const VectorXd& residuals, const MatrixXd& design,
-                     const MatrixXd& from_inputs, const VectorXd& w) {
+                     const MatrixXd& from_inputs, const VectorXd& weights) {
     const MatrixXd unknowns = gain.gain * from_inputs;
     s.singular_values = gain.singular_values;
     s.weakest = gain.weakest;
@@ -178,10 +228,19 @@ void take_statistics(FitStatistics& s, const Gain& gain, const VectorXd& residua
     s.residuals = residuals;
     const MatrixXd deviations = from_inputs - design * unknowns;
     s.u_residuals = deviations.rowwise().norm();
-    s.alike = rows_alike(deviations, s.worst_row());
-    const double expected = w.cwiseProduct(s.u_residuals).squaredNorm();
-    s.scatter = expected > 0.0 ? w.cwiseProduct(residuals).norm() / std::sqrt(expected) : 0.0;
+    const VectorXd own = from_inputs.rowwise().norm();
+    for (Index i = 0; i < own.size(); ++i)
+        if (!(s.u_residuals[i] > least_control * own[i])) s.u_residuals[i] = 0.0;
     s.limit = t_quantile(1.0 - 0.025 / static_cast<double>(residuals.size()), infinity);
+    if (!test_whitened(s, design, from_inputs)) test_by_scatter(s, weights);
+    s.alike = rows_alike(deviations, s.worst_row());
+}
+
+std::vector<double> inverse_uncertainties(const MatrixXd& covariance) {
+    std::vector<double> inverse;
+    for (const double variance : covariance.diagonal())
+        inverse.push_back(1.0 / (variance > 0.0 ? std::sqrt(variance) : 1e-6));
+    return inverse;
 }
 
 double condition_of(const FitStatistics& s) {

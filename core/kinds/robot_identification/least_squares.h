@@ -32,8 +32,9 @@ struct Told {
 };
 
 /// Goes through the unknowns in their order and keeps those that move the rows in a way that those kept
-/// before do not (Gram-Schmidt on columns of length one). `A`: the weighted Jacobian.
-Told told_apart(const Eigen::MatrixXd& A, const std::vector<Message>& names);
+/// before do not (Gram-Schmidt on columns of length one). `A`: the weighted Jacobian; `unmoved`: the words
+/// for one that changes no row.
+Told told_apart(const Eigen::MatrixXd& A, const std::vector<Message>& names, const Message& unmoved);
 
 struct Gain {
     Eigen::MatrixXd gain;             ///< unknowns by rows: (Aᵀ W A)⁻¹ Aᵀ W
@@ -46,16 +47,18 @@ std::optional<Gain> gain_of(const Eigen::MatrixXd& A, const Eigen::VectorXd& w);
 
 /// Statistics of what a fit leaves over.
 struct FitStatistics {
-    Eigen::VectorXd residuals, u_residuals;  ///< of all rows of the fit; u: expected scatter
-    Eigen::MatrixXd covariance;              ///< covariance of the unknowns
+    Eigen::VectorXd residuals;    ///< of all rows of the fit
+    Eigen::VectorXd u_residuals;  ///< expected scatter; 0 where no other row controls it
+    Eigen::VectorXd w;            ///< |residual| as the test standardises it; 0 where nothing controls it
+    Eigen::MatrixXd covariance;   ///< covariance of the unknowns
     Eigen::VectorXd singular_values, weakest;
     double scatter = 0.0;  ///< root mean square of residuals over what their uncertainties explain
-    double limit = 0.0;    ///< limit of |residual|/u, family-wise 5 %
-    /// Rows whose errors the test cannot tell from one of the row with the largest |residual|/u.
+    double limit = 0.0;    ///< limit of w, family-wise 5 %
+    /// Rows whose errors the test cannot tell from one of the row with the largest w.
     std::vector<std::size_t> alike;
     ComponentEvidence evidence;  ///< evidence of the readings about the stated uncertainties
 
-    /// Row with the largest |residual|/u.
+    /// Row with the largest w.
     Eigen::Index worst_row() const;
     double worst_size() const;
     bool has_outlier() const;
@@ -68,6 +71,9 @@ struct FitStatistics {
 void take_statistics(FitStatistics& statistics, const Gain& gain, const Eigen::VectorXd& residuals,
                      const Eigen::MatrixXd& design, const Eigen::MatrixXd& from_inputs,
                      const Eigen::VectorXd& w);
+
+/// 1/u of the unknowns; of one without uncertainty that of a micrometre or microradian.
+std::vector<double> inverse_uncertainties(const Eigen::MatrixXd& covariance);
 
 /// "d_3, a_2": unknowns that the rows tell worst; empty where all are told well.
 Message least_told(const FitStatistics& statistics, const std::vector<Message>& names);

@@ -1,5 +1,6 @@
 #include "core/kinds/robot_identification/reading_figures.h"
 
+#include <cmath>
 #include <limits>
 
 namespace covaria {
@@ -20,9 +21,8 @@ std::map<std::size_t, FigureOfComponent> FiguresOfReadings::of_one_owner() const
 void name_standardised(const identification::FitStatistics& statistics,
                        evidence::RedundantReadings& readings) {
     for (Eigen::Index row = 0; row < statistics.residuals.size(); ++row) {
-        const double u = statistics.u_residuals[row];
-        readings.w.push_back(u > 0.0 ? statistics.residuals[row] / u
-                                     : std::numeric_limits<double>::quiet_NaN());
+        const double w = std::copysign(statistics.w[row], statistics.residuals[row]);
+        readings.w.push_back(w != 0.0 ? w : std::numeric_limits<double>::quiet_NaN());
         readings.figure_of.push_back(evidence::RedundantReadings::no_figure);
     }
 }
