@@ -32,6 +32,12 @@ bool Placing::is_empty() const {
     return std::ranges::none_of(whole.places, [](const auto& p) { return p.has_value(); });
 }
 
+void Placing::put(std::size_t p, const Eigen::Vector3d& at) {
+    network_.state.segment<3>(static_cast<Eigen::Index>(3 * p)) = at;
+    whole.places[p] = at.head<2>();
+    heights_[p] = 1;
+}
+
 void Placing::put_plane() {
     for (std::size_t p = 0; p < network_.points.size(); ++p)
         if (const AdjustedPoint& point = network_.points[p];

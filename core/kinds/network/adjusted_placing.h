@@ -21,6 +21,9 @@ public:
 
     bool wants(std::size_t p) const { return network_.points[p].has(0) && !whole.places[p]; }
     bool is_empty() const;
+    /// Whether the point has a place, its height too if it has one.
+    bool is_in_space(std::size_t p) const { return heights_[p] && !wants(p); }
+    void put(std::size_t p, const Eigen::Vector3d& at);
     void put_plane();
     /// Places the heights that follow from those that are placed.
     void spread_heights();

@@ -13,7 +13,7 @@ public:
     AdjustmentSearch(AdjustedNetwork& network, Problems& problems) : network_(network), problems_(problems) {}
 
     void run() {
-        constexpr int most_steps = 60;
+        constexpr int most_steps = 100;
         if (const auto few = too_few_readings(network_))
             return problems_.error(adjustment_fields().place(&StatedAdjustment::readings), *few);
         for (int k = 0; k < most_steps; ++k) {
@@ -90,6 +90,23 @@ private:
         return length < enough || at_rounding || follows;
     }
 
+    /// The part of a step that is taken. Where readings hardly tell a direction, their curvature makes steps
+    /// along it too long: each leads back beyond the one before.
+    double part_of(const Eigen::VectorXd& change) {
+        double part = 1.0;
+        if (last_change_.size() > 0) {
+            const double along = change.dot(last_change_) / last_change_.squaredNorm();
+            // The whole steps before and now tell how much too long they are.
+            if (along < 0.0) part = last_part_ / (1.0 - along);
+            constexpr double least = 0.2;
+            part = std::clamp(part, least, 1.0);
+            if (part > 0.7) part = 1.0;
+        }
+        last_change_ = change;
+        last_part_ = part;
+        return part;
+    }
+
     /// Takes the whole step, or halves it until the sum falls; false where it never does.
     bool step(const adjustment::Adjustment& adjusted) {
         const Eigen::VectorXd r = whitened_.size() > 0 ? whitened_ : whitened_at(network_.state);
@@ -97,15 +114,17 @@ private:
         if (!change.allFinite()) return false;
         const double length = change.cwiseProduct(adjusted.scale()).lpNorm<Eigen::Infinity>();
         const double before = r.squaredNorm();
-        for (double part = 1.0; part > 1e-6; part *= 0.5) {
+        const double whole = part_of(change.cwiseProduct(adjusted.scale()));
+        for (double part = whole; part > 1e-6; part *= 0.5) {
             const Eigen::VectorXd moved = moved_by(adjusted, part * change);
             whitened_ = whitened_at(moved);
             const double sum = whitened_.squaredNorm();
             // Near the end the sum only rounds; the datum's own part may raise it a little.
             if (!(sum <= before * (1.0 + 1e-9) + 1e-9) && length > 1e-3) continue;
             network_.state = moved;
-            settled_ = part == 1.0 && is_settled(length);
-            last_ = part == 1.0 ? length : std::numeric_limits<double>::infinity();
+            settled_ = part == whole && is_settled(length);
+            last_ = part == whole ? length : std::numeric_limits<double>::infinity();
+            if (part != whole) last_change_.resize(0);
             return true;
         }
         return false;
@@ -133,6 +152,8 @@ private:
     Eigen::VectorXd whitened_;  ///< whitened residuals at the state; none before the first step
     bool settled_ = false;
     double last_ = std::numeric_limits<double>::infinity();
+    Eigen::VectorXd last_change_;  ///< the step before, whole; none at first and after one that was halved
+    double last_part_ = 1.0;       ///< the part of it that was taken
 };
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <map>
 #include <numbers>
 
-#include "core/kinds/network/adjusted_placing.h"
+#include "core/kinds/network/adjusted_space_start.h"
 
 namespace covaria::network {
 
@@ -48,7 +48,8 @@ bool intersect(PlaneFrame& frame, std::size_t p, const std::vector<Ray>& rays) {
 /// orientation is 0, horizontal distances, differences of coordinates.
 class PlaneReadings {
 public:
-    explicit PlaneReadings(const AdjustedNetwork& network)
+    /// `beyond`: points of which no plane knows anything.
+    PlaneReadings(const AdjustedNetwork& network, const std::vector<char>& beyond)
         : network_(network), rounds_(network.rounds.size()), by_point_(network.points.size()) {
         if (std::ranges::none_of(network.points, [](const AdjustedPoint& p) {
                 return p.has(0) && !(p.placed[0] && p.placed[1]);
@@ -62,7 +63,7 @@ public:
         for (const AdjustedReading& r : network.readings) {
             take_angles(r);
             if (r.kind == ReadingKind::horizontal_distance) keep_distance(r.from, r.to, r.value);
-            if (r.kind == ReadingKind::slope_distance) {
+            if (r.kind == ReadingKind::slope_distance && !beyond[r.from] && !beyond[r.to]) {
                 const auto there = zenith.find({r.from, r.to}), back = zenith.find({r.to, r.from});
                 const double sine = there != zenith.end()  ? std::sin(there->second)
                                     : back != zenith.end() ? std::sin(back->second)
@@ -316,7 +317,8 @@ public:
     Start(AdjustedNetwork& network, Problems& problems)
         : network_(network),
           problems_(problems),
-          readings_(network),
+          by_slopes_(tied_by_slopes_alone(network)),
+          readings_(network, by_slopes_),
           placing_(network, readings_.empty_frame()) {}
 
     void find() {
@@ -328,8 +330,9 @@ public:
             lay_frames();
             placing_.put_plane();
             placing_.spread_heights();
-            more =
-                placing_.place_by_own_frames(false) || (!network_.frames.empty() && placing_.begin_heights());
+            more = placing_.place_by_own_frames(false) ||
+                   (!network_.frames.empty() && placing_.begin_heights()) ||
+                   place_by_slopes(network_, placing_, by_slopes_);
         }
         say_unplaced();
         if (problems_.has_errors()) return;
@@ -407,6 +410,7 @@ private:
     void seed_by_distance() {
         for (const AdjustedReading& r : network_.readings) {
             if (r.kind != ReadingKind::horizontal_distance && r.kind != ReadingKind::slope_distance) continue;
+            if (by_slopes_[r.from] || by_slopes_[r.to]) continue;
             placing_.whole.places[r.from] = Vector2::Zero();
             placing_.whole.places[r.to] = Vector2(r.value, 0.0);
             return readings_.propagate(placing_.whole);
@@ -448,6 +452,7 @@ private:
 
     AdjustedNetwork& network_;
     Problems& problems_;
+    std::vector<char> by_slopes_;
     PlaneReadings readings_;
     Placing placing_;
 };

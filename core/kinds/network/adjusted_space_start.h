@@ -1,0 +1,15 @@
+// The part of the start of an adjustment that no plane helps: points of space that slope distances alone tie.
+#pragma once
+
+#include "core/kinds/network/adjusted_placing.h"
+
+namespace covaria::network {
+
+/// Whether each point has all three coordinates and nothing but slope distances was read of it.
+std::vector<char> tied_by_slopes_alone(const AdjustedNetwork& network);
+
+/// Places those of the `wanted` points that distances to places, or among themselves, tie by three or more;
+/// false where there is none. What no place ties lies anywhere, or as it was stated where it was.
+bool place_by_slopes(AdjustedNetwork& network, Placing& placing, const std::vector<char>& wanted);
+
+}  // namespace covaria::network
