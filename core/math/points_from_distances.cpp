@@ -117,6 +117,12 @@ private:
     Eigen::Index unknowns_ = 0;
 };
 
+PointsByDistances found_at(const Places& x, double sum) {
+    PointsByDistances found{{}, sum};
+    for (Eigen::Index p = 0; p < x.cols(); ++p) found.places.emplace_back(x.col(p));
+    return found;
+}
+
 /// Places spread about those that are held, as far as the distances reach.
 Places spread(const PointsAndDistances& given, const DistanceSearch& search, std::mt19937_64& engine) {
     double reach = 0.0;
@@ -198,10 +204,14 @@ PointsByDistances points_from_distances(const PointsAndDistances& given) {
         best = x;
         if (!(least < agrees)) least = turn_over(given, search, best, least);
     }
-    PointsByDistances found{given.places, least};
-    for (std::size_t p = 0; p < found.places.size(); ++p)
-        found.places[p] = best.col(static_cast<Eigen::Index>(p));
-    return found;
+    return found_at(best, least);
+}
+
+PointsByDistances nearest_by_distances(const PointsAndDistances& given) {
+    Places x(3, static_cast<Eigen::Index>(given.places.size()));
+    for (std::size_t p = 0; p < given.places.size(); ++p) x.col(static_cast<Eigen::Index>(p)) = given.places[p];
+    const double sum = DistanceSearch(given).settle(x, Misfit::of_lengths);
+    return found_at(x, sum);
 }
 
 }  // namespace covaria

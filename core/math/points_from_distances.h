@@ -17,7 +17,7 @@ struct TiedDistance {
 };
 
 struct PointsAndDistances {
-    std::vector<Eigen::Vector3d> places;     ///< coordinates that are held; others are not looked at
+    std::vector<Eigen::Vector3d> places;     ///< coordinates; `points_from_distances` looks at those that are held
     std::vector<std::array<bool, 3>> holds;  ///< whether each coordinate is held
     std::vector<TiedDistance> distances;
 };
@@ -30,5 +30,8 @@ struct PointsByDistances {
 /// The places with the least sum of squares that several beginnings lead to, spread about what is held.
 /// Where nothing tells an image from its mirror image, either may be found. Same distances, same places.
 PointsByDistances points_from_distances(const PointsAndDistances& given);
+
+/// The places of a least sum nearby those given.
+PointsByDistances nearest_by_distances(const PointsAndDistances& given);
 
 }  // namespace covaria

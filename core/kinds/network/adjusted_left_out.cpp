@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "core/kinds/network/adjusted_closures.h"
+#include "core/kinds/network/adjusted_images.h"
+#include "core/kinds/network/adjusted_space_start.h"
 #include "core/kinds/network/seen_figures.h"
 #include "core/text/numbers.h"
 
@@ -89,20 +91,44 @@ bool was_determined(const AdjustedNetwork& begun) {
                    .cols() == 0;
 }
 
-/// Adjusts from the beginning; where least squares do not lead to a place of every point, it adjusts once
-/// more robustly.
+/// Says what is open of points in a plane, where the search has no end next to it.
+void say_hardly_told(AdjustedNetwork& network, Problems& problems) {
+    AdjustedNetwork flat = network;
+    if (!put_into_planes(flat)) return;
+    Problems of_flat;
+    adjust(flat, of_flat);
+    if (!flat.unsolved) return;
+    network = std::move(flat);
+    problems = std::move(of_flat);
+}
+
+/// Adjusts from the beginning; where least squares do not lead to a place of every point, once more robustly,
+/// then from places that approximate coordinates have no part in.
 void adjust_from_start(AdjustedNetwork& network, bool robust, Problems& problems) {
     const Eigen::VectorXd start = network.state;
     if (robust) start_robustly(network);
     Problems own;
     adjust(network, own);
-    if (own.has_errors() && !robust) {
-        network.state = start;
-        start_robustly(network);
-        Problems again;
-        adjust(network, again);
-        if (!again.has_errors()) own = std::move(again);
-    }
+    const auto again_from = [&](const auto& begin) {
+        if (!own.has_errors()) return;
+        AdjustedNetwork again = network;
+        again.state = start;
+        again.adjusted = again.unsolved = nullptr;
+        if (!begin(again)) return;
+        Problems of_again;
+        adjust(again, of_again);
+        if (of_again.has_errors()) return;
+        network = std::move(again);
+        own = {};
+    };
+    if (!robust)
+        again_from([](AdjustedNetwork& again) {
+            start_robustly(again);
+            return true;
+        });
+    again_from(lay_anew_in_space);
+    if (!own.has_errors()) return take_stated_sides(network);
+    if (!network.unsolved) say_hardly_told(network, own);
     problems.take(own, "");
 }
 

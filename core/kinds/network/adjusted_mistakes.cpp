@@ -6,7 +6,7 @@
 #include <numbers>
 #include <set>
 
-#include "core/kinds/network/adjusted_setup.h"
+#include "core/kinds/network/adjusted_space_start.h"
 #include "core/math/special_quantiles.h"
 
 namespace covaria::network {
@@ -68,9 +68,13 @@ public:
     std::vector<Message> explaining() const {
         constexpr std::size_t most_said = 3, most_work = 20'000;  // trials times readings
         std::vector<Message> said;
+        // Places in space are found from many beginnings, which takes as long as so many trials.
+        constexpr std::size_t as_many = 100;
+        const bool in_space =
+            std::ranges::any_of(tied_by_slopes_alone(network_), [](char alone) { return alone; });
         std::size_t work = 0;
         for (const Mistake& mistake : mistakes_) {
-            work += network_.readings.size();
+            work += (in_space ? as_many : 1) * network_.readings.size();
             if (work > most_work || said.size() == most_said) break;
             if (explains(mistake)) said.push_back(mistake.words);
         }
@@ -184,6 +188,7 @@ private:
             values->segment<3>(static_cast<Eigen::Index>(3 * a))
                 .swap(values->segment<3>(static_cast<Eigen::Index>(3 * b)));
         std::swap(network.points[a].placed, network.points[b].placed);
+        std::swap(network.points[a].typed, network.points[b].typed);
         for (AdjustedReading& r : network.readings) {
             const bool stated =
                 (r.kind == ReadingKind::x || r.kind == ReadingKind::y || r.kind == ReadingKind::z) &&

@@ -315,6 +315,7 @@ private:
         for (std::size_t c = 0; c < 3; ++c) {
             point.role[c] = c < 2 ? typed.plane : typed.height;
             point.placed[c] = typed.p[c].has_value();
+            point.typed[c] = typed.p[c];
             const bool needs =
                 point.role[c] == CoordinateRole::fixed || point.role[c] == CoordinateRole::stated;
             const std::string axis(along_axes[c]);

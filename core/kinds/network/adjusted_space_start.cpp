@@ -147,10 +147,11 @@ private:
     void lay_as_stated(const std::vector<std::size_t>& points, std::vector<Eigen::Vector3d>& places) const {
         Eigen::Matrix3Xd here(3, 0), there(3, 0);
         for (std::size_t i = 0; i < points.size(); ++i) {
-            if (!network_.points[points[i]].is_placed()) continue;
+            const AdjustedPoint& point = network_.points[points[i]];
+            if (!point.is_typed()) continue;
             here.conservativeResize(Eigen::NoChange, here.cols() + 1);
             there.conservativeResize(Eigen::NoChange, there.cols() + 1);
-            here.rightCols<1>() = network_.position(points[i]);
+            here.rightCols<1>() = Eigen::Vector3d(*point.typed[0], *point.typed[1], *point.typed[2]);
             there.rightCols<1>() = places[i];
         }
         if (here.cols() < 3) return;
@@ -185,6 +186,24 @@ std::vector<char> tied_by_slopes_alone(const AdjustedNetwork& network) {
     }
     for (std::size_t p = 0; p < alone.size(); ++p) alone[p] = alone[p] && read[p];
     return alone;
+}
+
+bool lay_anew_in_space(AdjustedNetwork& network) {
+    std::vector<char> wanted = tied_by_slopes_alone(network);
+    AdjustedNetwork laid = network;
+    bool any = false;
+    for (std::size_t p = 0; p < wanted.size(); ++p) {
+        wanted[p] = wanted[p] && std::ranges::any_of(std::array{0, 1, 2}, [&](std::size_t c) {
+                        return network.points[p].is_found(c);
+                    });
+        any = any || wanted[p];
+        laid.points[p].placed.fill(!wanted[p]);
+    }
+    if (!any) return false;
+    Placing placing(laid, {std::vector<std::optional<Eigen::Vector2d>>(wanted.size()), {}});
+    if (!place_by_slopes(laid, placing, wanted)) return false;
+    network.state = laid.state;
+    return true;
 }
 
 bool place_by_slopes(AdjustedNetwork& network, Placing& placing, const std::vector<char>& wanted) {

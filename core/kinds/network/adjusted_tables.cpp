@@ -5,6 +5,7 @@
 #include "core/kinds/network/adjusted_checks.h"
 #include "core/kinds/network/adjusted_closures.h"
 #include "core/kinds/network/adjusted_groups.h"
+#include "core/kinds/network/adjusted_images.h"
 #include "core/kinds/points/component_evidence.h"
 #include "core/math/special_quantiles.h"
 #include "core/text/numbers.h"
@@ -152,6 +153,7 @@ std::vector<Table> adjustment_tables(const AdjustedNetwork& network) {
 void check_adjustment(const AdjustedNetwork& network, Problems& problems) {
     const adjustment::Reliability& found = reliability_of(network);
     check_held_lengths(network, problems);
+    check_images(network, problems);
     if (!is_too_large(found)) return;
     std::size_t worst = 0;
     for (std::size_t i = 0; i < found.readings.size(); ++i)

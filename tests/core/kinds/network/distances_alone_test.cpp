@@ -71,5 +71,81 @@ TEST(DistancesAlone, AreEnoughForThePlacesOfStationsAndTargets) {
     EXPECT_GE(found, all - all / 100) << "of " << all;
 }
 
+/// Four known points in a plane, and one whose distances from them were read, so many m above it.
+StatedAdjustment over_a_plane(double above, std::optional<std::array<double, 3>> approximate, double error) {
+    TrueNetwork net;
+    for (const auto& [name, x, y] : {std::tuple("A", 0.0, 0.0), std::tuple("B", 9.0, 0.0),
+                                     std::tuple("C", 8.0, 7.0), std::tuple("D", 1.0, 8.0)})
+        net.point(name, {x, y, 1.0}, CoordinateRole::fixed, CoordinateRole::fixed, 0.0);
+    net.point("P", {4.0, 3.0, 1.0 + above}, CoordinateRole::unknown, CoordinateRole::unknown, {});
+    for (const char* from : {"A", "B", "C", "D"}) net.read(ReadingKind::slope_distance, from, "P");
+    if (approximate)
+        for (std::size_t c = 0; c < 3; ++c) net.called("P").p[c] = (*approximate)[c];
+    for (StatedAdjustment::Reading& r : net.stated.readings) *r.length += error;
+    return net.stated;
+}
+
+double height_of(const Adjusted& made) {
+    EXPECT_TRUE(made.network && made.network->adjusted) << made.words();
+    return made.network ? made.network->position(4).z() : 0.0;
+}
+
+TEST(DistancesAlone, SayThatAPointMayBeOnTheOtherSideOfAPlane) {
+    const std::string said =
+        "the distances fit as well with P on the other side of the plane of A, B, C, D, at (4, ";
+    const Adjusted alone(over_a_plane(1.5, {}, 0.0));
+    EXPECT_NEAR(std::abs(height_of(alone) - 1.0), 1.5, 5e-3);
+    EXPECT_NE(alone.words().find(said), std::string::npos) << alone.words();
+    const Adjusted above(over_a_plane(1.5, {{4.2, 2.9, 2.0}}, 0.0)),
+        below(over_a_plane(1.5, {{4.2, 2.9, -0.2}}, 0.0));
+    EXPECT_NEAR(height_of(above), 2.5, 5e-3);
+    EXPECT_NEAR(height_of(below), -0.5, 5e-3);
+    EXPECT_EQ(above.words() + below.words(), "");
+    const Adjusted flat(over_a_plane(1.5, {{4.2, 2.9, 1.0}}, 0.0));  // a height that tells no side
+    EXPECT_NEAR(std::abs(height_of(flat) - 1.0), 1.5, 5e-3);
+    EXPECT_NE(flat.words().find(said), std::string::npos) << flat.words();
+    StatedAdjustment by_height = over_a_plane(1.5, {}, 0.0);
+    by_height.points[4].p[2] = -1.5;
+    const Adjusted told(by_height);
+    EXPECT_NEAR(height_of(told), -0.5, 5e-3);
+    EXPECT_EQ(told.words(), "");
+}
+
+/// Whether P's height over the plane is more than a few times its u.
+bool is_clear_of_the_plane(const Adjusted& made) {
+    if (!made.network || !made.network->adjusted) return false;
+    const std::size_t k = made.network->unknown_of[made.network->at(4, 2)];
+    return std::abs(height_of(made) - 1.0) > 3.0 * std::sqrt(made.network->adjusted->cofactor(k, k));
+}
+
+TEST(DistancesAlone, SayThatAPointNextToAPlaneHardlyHasAHeight) {
+    using Place = std::array<double, 3>;
+    for (const double error : {-2e-3, -5e-4, 0.0, 5e-4, 2e-3})
+        for (const double above : {0.0, 1e-3, 0.01, 0.03})
+            for (const auto& approximate : {std::optional<Place>(), std::optional(Place{4.0, 3.0, 1.0}),
+                                            std::optional(Place{4.1, 2.9, 1.2})}) {
+                const Adjusted made(over_a_plane(above, approximate, error));
+                const std::string said = made.words();
+                EXPECT_TRUE(
+                    is_clear_of_the_plane(made) ||
+                    said.find("nothing tells the height of P") != std::string::npos ||
+                    said.find("P lies so near to the plane of A, B, C, D that the distances hardly tell") !=
+                        std::string::npos)
+                    << above << " m, " << error << ": " << said;
+                EXPECT_TRUE(error > 0.0 || !is_clear_of_the_plane(made)) << above << " m, " << error;
+            }
+}
+
+TEST(DistancesAlone, SayThatANetworkOverThreeKnownPointsMayBeMirrored) {
+    const Adjusted three(multilateration({5, 10, 3}, 7)), none(multilateration({5, 10, 0}, 7)),
+        four(multilateration({5, 10, 4}, 7));
+    EXPECT_TRUE(agrees(three) && agrees(none) && agrees(four));
+    EXPECT_NE(three.words().find("are mirrored in the plane of"), std::string::npos) << three.words();
+    EXPECT_NE(none.words().find("do not tell the network of S0, S1, S2, S3, … from its mirror image"),
+              std::string::npos)
+        << none.words();
+    EXPECT_EQ(four.words(), "");
+}
+
 }  // namespace
 }  // namespace covaria::network
