@@ -10,8 +10,8 @@ namespace covaria::network {
 void take_stated_sides(AdjustedNetwork& network);
 /// Warns of points that may as well be on the other side of a plane, or hardly are on any side of it.
 void check_images(const AdjustedNetwork& network, Problems& problems);
-/// Puts points next to the plane of what they are tied to into it, where the search for their distance from it
-/// has no end; false where there are none.
+/// Puts points next to the plane of what they are tied to into it, where the search for their distance from
+/// it has no end; false where there are none.
 bool put_into_planes(AdjustedNetwork& network);
 
 }  // namespace covaria::network

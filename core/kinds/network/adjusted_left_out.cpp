@@ -91,6 +91,13 @@ bool was_determined(const AdjustedNetwork& begun) {
                    .cols() == 0;
 }
 
+/// Whether residuals are so large that readings contradict each other.
+bool is_far_off(const AdjustedNetwork& network) {
+    constexpr double times = 10.0;  // their u
+    const Eigen::VectorXd r = network.whitening * residuals_of(network, network.state.data());
+    return r.squaredNorm() > times * times * static_cast<double>(r.size());
+}
+
 /// Says what is open of points in a plane, where the search has no end next to it.
 void say_hardly_told(AdjustedNetwork& network, Problems& problems) {
     AdjustedNetwork flat = network;
@@ -192,11 +199,29 @@ private:
         adjust_from_start(*made, stated_.robust, own);
         if (own.has_errors()) {
             again_ = take_back() || leave_undetermined(begun, *made) || leave_gross(begun);
-            if (!again_ && !made->unsolved) propose_mistakes(*made, problems_);
+            if (!again_) say_astray(*made, own);
             return {};
         }
         again_ = (is_gross(*made, stated_.gross_limit) && leave_gross(begun)) || leave_outliers(begun, *made);
         return made;
+    }
+
+    /// Where the readings told every place at the beginning, those that contradict each other have led the
+    /// search to where they do not: what is open there is not what is wrong.
+    void say_astray(AdjustedNetwork& network, Problems& own) {
+        AdjustedNetwork begun = network;
+        begun.state = begun.stated;
+        if (network.unsolved && !(is_far_off(network) && was_determined(begun))) return;
+        propose_mistakes(begun, problems_);
+        if (!network.unsolved) return;
+        own = {};
+        own.error(
+            adjustment_fields().place(&StatedAdjustment::readings),
+            tell<
+                "the readings contradict each other so much that the search for the places of the points "
+                "went "
+                "astray: look for exchanged or mistyped readings, for a unit or the sense of angles that was "
+                "mixed up, and for coordinates that are far off">());
     }
 
     void leave_point(const AdjustedNetwork& network, std::size_t p, bool plane) {

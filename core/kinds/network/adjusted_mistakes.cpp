@@ -6,6 +6,7 @@
 #include <numbers>
 #include <set>
 
+#include "core/kinds/network/adjusted_datum_fit.h"
 #include "core/kinds/network/adjusted_space_start.h"
 #include "core/math/special_quantiles.h"
 
@@ -13,11 +14,15 @@ namespace covaria::network {
 
 namespace {
 
+constexpr double metres_per_millimetre = 1e-3, metres_per_foot = 0.3048;
+
 struct Mistake {
     Message words;
     std::function<bool(AdjustedNetwork&)> undo;  ///< false where it cannot have been made
     std::vector<std::size_t> scaled = {};        ///< readings that are made smaller
     double factor = 1.0;
+    bool is_of_datum =
+        false;  ///< whether coordinates of the datum agree with the readings only where it is undone
 };
 
 /// The sum of squares of the residuals over their u, those of scaled readings as they were typed: a network
@@ -61,8 +66,11 @@ class Mistakes {
 public:
     explicit Mistakes(const AdjustedNetwork& network) : network_(network) {
         add_units();
+        add_sense();
+        add_units_of_coordinates();
         add_coordinates();
         add_names();
+        add_units_of_readings();
     }
 
     std::vector<Message> explaining() const {
@@ -73,10 +81,15 @@ public:
         const bool in_space =
             std::ranges::any_of(tied_by_slopes_alone(network_), [](char alone) { return alone; });
         std::size_t work = 0;
+        bool says_coordinates = false;
         for (const Mistake& mistake : mistakes_) {
             work += (in_space ? as_many : 1) * network_.readings.size();
             if (work > most_work || said.size() == most_said) break;
-            if (explains(mistake)) said.push_back(mistake.words);
+            // Coordinates of some points would explain what those of all do.
+            if (mistake.is_of_datum && says_coordinates) continue;
+            if (!explains(mistake)) continue;
+            says_coordinates = says_coordinates || mistake.is_of_datum;
+            said.push_back(mistake.words);
         }
         return said;
     }
@@ -94,7 +107,11 @@ private:
         if (!problems.has_errors()) adjust(network, problems);
         if (problems.has_errors() || !network.adjusted) return false;
         constexpr double much_less = 0.1;
-        if (!(sum_as_typed(network, mistake) < much_less * sum_as_typed(network_, {}))) return false;
+        const auto datum = datum_fit(network);
+        const bool is_of_size = datum && std::abs(std::log(datum->scale)) < 0.05 && datum->misfit < 0.05;
+        if (datum && mistake.is_of_datum && !is_of_size) return false;
+        if (!is_of_size && !(sum_as_typed(network, mistake) < much_less * sum_as_typed(network_, {})))
+            return false;
         const adjustment::Reliability& found = network.reliability;
         return found.degrees_of_freedom > 0 &&
                chi_squared_upper_tail(found.sum_of_squares, found.degrees_of_freedom) >
@@ -132,7 +149,7 @@ private:
     }
 
     void add_units() {
-        constexpr double degrees_per_gon = 0.9, metres_per_millimetre = 1e-3;
+        constexpr double degrees_per_gon = 0.9;
         std::set<std::vector<std::size_t>> tried;
         for (const TypedTogether& set : typed_together())
             for (const bool angle : {true, false}) {
@@ -150,7 +167,88 @@ private:
                 add_unit(angle ? tell<"the readings agree if %1 are degrees that were typed as gon">(words)
                                : tell<"the readings agree if %1 are m that were typed as mm">(words),
                          readings, 1.0 / small);
+                if (!angle)
+                    add_unit(tell<"the readings agree if %1 are feet that were typed as m">(words), readings,
+                             metres_per_foot);
             }
+    }
+
+    /// Single lengths in mm, those first that miss the others by most.
+    void add_units_of_readings() {
+        std::vector<std::pair<double, std::size_t>> lengths;
+        for (std::size_t i = 0; i < network_.readings.size(); ++i)
+            if (const AdjustedReading& r = network_.readings[i]; is_read_length(r))
+                lengths.emplace_back(-std::abs(r.value), i);
+        std::ranges::sort(lengths);
+        for (const auto& [size, i] : lengths)
+            add_unit(tell<"the readings agree if the %1 is in mm and was typed as m">(
+                         words_of(network_, network_.readings[i])),
+                     {i}, metres_per_millimetre);
+    }
+
+    void add_sense() {
+        if (std::ranges::none_of(network_.readings, [](const AdjustedReading& r) {
+                return is_read_angle(r) && r.kind != ReadingKind::zenith_angle;
+            }))
+            return;
+        mistakes_.push_back(
+            {tell<"the readings agree if angles grow the other way round: the sense of angles, "
+                  "clockwise or counter-clockwise, is probably the other one, or x and y are "
+                  "exchanged">(),
+             [](AdjustedNetwork& network) {
+                 network.clockwise = !network.clockwise;
+                 return true;
+             }});
+    }
+
+    /// Coordinates of all points, of those that are known, and of each.
+    void add_units_of_coordinates() {
+        std::vector<std::size_t> all, known;
+        for (std::size_t p = 0; p < network_.points.size(); ++p) {
+            const AdjustedPoint& point = network_.points[p];
+            if (std::ranges::none_of(point.typed, [](const auto& c) { return c.has_value(); })) continue;
+            all.push_back(p);
+            if (is_known(p)) known.push_back(p);
+        }
+        const auto add = [&](const std::vector<std::size_t>& points, const Message& whose) {
+            if (points.empty()) return;
+            for (const auto& [words, factor] :
+                 {std::pair(
+                      tell<"the readings agree if the coordinates of %1 are mm that were typed as m">(whose),
+                      metres_per_millimetre),
+                  std::pair(tell<"the readings agree if the coordinates of %1 are feet that were typed as m">(
+                                whose),
+                            metres_per_foot)})
+                mistakes_.push_back({.words = words,
+                                     .undo =
+                                         [points, factor](AdjustedNetwork& network) {
+                                             for (const std::size_t p : points)
+                                                 scale_coordinates(network, p, factor);
+                                             return true;
+                                         },
+                                     .is_of_datum = true});
+        };
+        add(all, tell<"all points">());
+        if (known.size() > 1 && known.size() < all.size()) add(known, tell<"the known points">());
+        if (all.size() > 1)
+            for (const std::size_t p : all) add({p}, network_.points[p].name);
+    }
+
+    static void scale_coordinates(AdjustedNetwork& network, std::size_t p, double factor) {
+        for (std::size_t c = 0; c < 3; ++c) {
+            auto& typed = network.points[p].typed[c];
+            if (!typed) continue;
+            *typed *= factor;
+            const auto place = static_cast<Eigen::Index>(network.at(p, c));
+            network.state[place] = network.stated[place] = *typed;
+        }
+        for (AdjustedReading& r : network.readings)
+            if (is_stated_coordinate(r) && r.from == p) r.value *= factor;
+    }
+
+    static bool is_stated_coordinate(const AdjustedReading& r) {
+        return (r.kind == ReadingKind::x || r.kind == ReadingKind::y || r.kind == ReadingKind::z) &&
+               r.row == AdjustedReading::no_round;
     }
 
     void add_unit(Message words, const std::vector<std::size_t>& readings, double factor) {
@@ -190,10 +288,8 @@ private:
         std::swap(network.points[a].placed, network.points[b].placed);
         std::swap(network.points[a].typed, network.points[b].typed);
         for (AdjustedReading& r : network.readings) {
-            const bool stated =
-                (r.kind == ReadingKind::x || r.kind == ReadingKind::y || r.kind == ReadingKind::z) &&
-                r.row == AdjustedReading::no_round;
-            if (stated && (r.from == a || r.from == b)) r.from = r.to = r.second = r.from == a ? b : a;
+            if (is_stated_coordinate(r) && (r.from == a || r.from == b))
+                r.from = r.to = r.second = r.from == a ? b : a;
         }
     }
 

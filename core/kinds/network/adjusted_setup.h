@@ -155,7 +155,7 @@ struct AdjustedPoint {
     std::array<CoordinateRole, 3> role{};
     std::array<bool, 3> placed{};  ///< whether each coordinate was given
     std::array<std::optional<double>, 3> typed{};
-    std::size_t row = 0;           ///< row in the table of points
+    std::size_t row = 0;  ///< row in the table of points
     bool has(std::size_t axis) const { return role[axis] != CoordinateRole::none; }
     bool is_typed() const { return typed[0] && typed[1] && typed[2]; }
     bool is_found(std::size_t axis) const { return has(axis) && role[axis] != CoordinateRole::fixed; }

@@ -12,8 +12,8 @@ std::vector<char> tied_by_slopes_alone(const AdjustedNetwork& network);
 /// false where there is none. What no place ties lies anywhere, or as it was stated where it was.
 bool place_by_slopes(AdjustedNetwork& network, Placing& placing, const std::vector<char>& wanted);
 
-/// Lays the points that slope distances alone tie without a look at approximate coordinates, which may lie where
-/// the distances do not lead on from: all in a plane, or far off. False where there are none.
+/// Lays the points that slope distances alone tie without a look at approximate coordinates, which may lie
+/// where the distances do not lead on from: all in a plane, or far off. False where there are none.
 bool lay_anew_in_space(AdjustedNetwork& network);
 
 }  // namespace covaria::network

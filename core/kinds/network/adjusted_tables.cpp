@@ -4,6 +4,7 @@
 
 #include "core/kinds/network/adjusted_checks.h"
 #include "core/kinds/network/adjusted_closures.h"
+#include "core/kinds/network/adjusted_datum_fit.h"
 #include "core/kinds/network/adjusted_groups.h"
 #include "core/kinds/network/adjusted_images.h"
 #include "core/kinds/points/component_evidence.h"
@@ -154,7 +155,7 @@ void check_adjustment(const AdjustedNetwork& network, Problems& problems) {
     const adjustment::Reliability& found = reliability_of(network);
     check_held_lengths(network, problems);
     check_images(network, problems);
-    if (!is_too_large(found)) return;
+    if (!is_too_large(found)) return check_datum(network, problems);
     std::size_t worst = 0;
     for (std::size_t i = 0; i < found.readings.size(); ++i)
         if (std::abs(found.readings[i].w) > std::abs(found.readings[worst].w)) worst = i;
