@@ -29,12 +29,12 @@ GroupTest GroupTests::of(const std::vector<std::size_t>& readings) const {
             S(i, j) = errors_.col(a).dot(errors_.col(b)) - by_unknowns_.col(a).dot(changes_.col(b));
         }
     }
-    const auto svd = singular_values(Eigen::MatrixXd(0.5 * (S + S.transpose())), Eigen::ComputeFullU);
+    const auto axes = eigen_decomposition(0.5 * (S + S.transpose()));
     GroupTest test;
-    for (Eigen::Index j = 0; j < k; ++j) {
-        if (!(svd.singularValues()[j] > least_controlled)) continue;
-        const double along = svd.matrixU().col(j).dot(t);
-        test.statistic += along * along / svd.singularValues()[j];
+    for (Eigen::Index j = k - 1; j >= 0; --j) {
+        if (!(axes.eigenvalues()[j] > least_controlled)) continue;
+        const double along = axes.eigenvectors().col(j).dot(t);
+        test.statistic += along * along / axes.eigenvalues()[j];
         ++test.redundancy;
     }
     if (test.redundancy > 0) test.p = chi_squared_upper_tail(test.statistic, test.redundancy);
