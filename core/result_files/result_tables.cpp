@@ -2,6 +2,7 @@
 // histogram.
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <memory>
 
@@ -42,19 +43,80 @@ Table budget_at(const UncertaintyResult& result, std::vector<BudgetPlace> places
     return table;
 }
 
+/// The most lines that a file of budgets has, but for the least number of an output's: one with every reading
+/// of a network in the budget of each coordinate would take a hundred megabytes, hardly a line of which
+/// matters.
+constexpr std::size_t most_lines = 50'000, least_of_output = 10;
+
+/// The number of components that the file has of each output.
+std::size_t components_in_file(const UncertaintyResult& result) {
+    std::size_t lines = 0;
+    for (const std::vector<BudgetRow>& rows : result.budget.rows) lines += rows.size();
+    return lines <= most_lines ? lines : std::max(least_of_output, most_lines / result.budget.rows.size());
+}
+
+/// The sum of the components of an output that are not among the places, as a row of `table`.
+void add_rest(const UncertaintyResult& result, std::size_t output, const std::vector<BudgetPlace>& places,
+              Table& table) {
+    const std::vector<BudgetRow>& rows = result.budget.rows[output];
+    std::vector<char> written(rows.size(), 0);
+    for (const BudgetPlace& place : places) written[place.row] = 1;
+    double share = 0.0;
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        if (!written[i]) share += rows[i].share;
+    const OutputResult& of = result.outputs[output];
+    const double contribution = of.first_order.standard_uncertainty * std::sqrt(std::max(0.0, share));
+    std::vector<Cell> cells;
+    for (const Column& column : table.columns)
+        cells.push_back(column.key == "group"         ? Cell(of.quantity.group)
+                        : column.key == "output"      ? Cell(Symbols{of.quantity.symbol})
+                        : column.key == "output unit" ? Cell(of.quantity.unit)
+                        : column.key == "component"   ? Cell(std::to_string(rows.size() - places.size()) +
+                                                             " smaller components together")
+                        : column.key == "contribution"
+                            ? Cell(Measured{contribution, Measured::Scale::interval, of.quantity.unit, {}})
+                        : column.key == "share of variance" ? Cell(Measured{share})
+                                                            : Cell());
+    table.row(std::move(cells));
+}
+
+/// The budget of an output as the file has it: the components with the largest shares, in their order, and
+/// the others in one row.
+Table budget_of(const UncertaintyResult& result, std::size_t output, std::size_t most) {
+    std::vector<BudgetPlace> places = budget_places(result, output);
+    if (places.size() <= most + 1) return budget_at(result, std::move(places));
+    const auto size = [&](const BudgetPlace& place) {
+        return std::abs(result.budget.rows[place.output][place.row].share);
+    };
+    std::ranges::stable_sort(places, std::greater(), size);
+    places.resize(most);
+    std::ranges::sort(places, {}, &BudgetPlace::row);
+    Table table = file_table(budget_at(result, places));
+    add_rest(result, output, places, table);
+    return table;
+}
+
 Table budget_file(const UncertaintyResult& result) {
-    std::vector<BudgetPlace> places;
-    for (std::size_t i = 0; i < outputs_with_budget(result); ++i)
-        for (const BudgetPlace& place : budget_places(result, i)) places.push_back(place);
-    return budget_at(result, std::move(places));
+    const std::size_t most = components_in_file(result);
+    Table all = file_table(budget_at(result, {}));
+    for (std::size_t i = 0; i < outputs_with_budget(result); ++i) {
+        const Table one = file_table(budget_of(result, i, most));
+        for (std::size_t row = 0; row < one.rows; ++row) {
+            std::vector<Cell> cells;
+            for (const Column& column : one.columns) cells.push_back(column.cell(row));
+            all.row(std::move(cells));
+        }
+    }
+    return all;
 }
 
 /// The same as a file, output by output: of hundreds of points all cells together take some gigabytes.
 std::string budget_csv(const UncertaintyResult& result) {
     const std::string line_end = "\r\n";
+    const std::size_t most = components_in_file(result);
     std::string csv = to_csv(budget_at(result, {}));
     for (std::size_t i = 0; i < outputs_with_budget(result); ++i) {
-        const std::string one = to_csv(budget_at(result, budget_places(result, i)));
+        const std::string one = to_csv(budget_of(result, i, most));
         csv += one.substr(one.find(line_end) + line_end.size());
     }
     return csv;

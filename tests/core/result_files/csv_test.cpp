@@ -102,6 +102,43 @@ TEST(ResultTables, FilesAreThoseOfTheTables) {
     }
 }
 
+// Of hundreds of outputs with thousands of components each hardly any matters.
+TEST(ResultTables, BudgetsOfManyOutputsAddUpTheirSmallComponents) {
+    UncertaintyResult result = test::sample_result({1, 1, 1, false, "pose"});
+    constexpr std::size_t outputs = 60, components = 1000, kept = 50'000 / outputs;
+    const OutputResult output = result.outputs.front();
+    result.outputs.assign(outputs, output);
+    const BudgetRow row = result.budget.rows.front().front();
+    std::vector<BudgetRow> rows(components, row);
+    double sum = 0.0, of_small = 0.0;
+    for (std::size_t i = 0; i < components; ++i) sum += static_cast<double>(i + 1);
+    for (std::size_t i = 0; i < components; ++i) {
+        rows[i].share = static_cast<double>(i + 1) / sum;
+        if (i < components - kept) of_small += rows[i].share;
+    }
+    result.budget.rows.assign(outputs, rows);
+    std::vector<OutputQuantity> quantities;
+    for (const OutputResult& o : result.outputs) quantities.push_back(o.quantity);
+    result.covariance = OutputCovariance(OutputBlocks::of(quantities));
+    result.regions.clear();
+    const Table budget = result_tables(test::sample_project(), test::sample_analysis(result))[1];
+    EXPECT_EQ(budget.rows, outputs * (kept + 1));
+    const auto number = [&](std::size_t i, const char* key) {
+        return exact_quantity(budget.cell(i, key)).value_or(Quantity{}).value;
+    };
+    EXPECT_EQ(english_of(budget.cell(kept, "component")),
+              std::to_string(components - kept) + " smaller components together");
+    EXPECT_NEAR(number(kept, "share of variance"), of_small, 1e-12);
+    EXPECT_NEAR(
+        number(kept, "contribution"),
+        output.quantity.unit.interval_from_si(output.first_order.standard_uncertainty) * std::sqrt(of_small),
+        1e-9 * output.quantity.unit.interval_from_si(output.first_order.standard_uncertainty));
+    double all = 0.0;
+    for (std::size_t i = 0; i <= kept; ++i) all += number(i, "share of variance");
+    EXPECT_NEAR(all, 1.0, 1e-12);
+    EXPECT_NEAR(number(0, "share of variance"), rows[components - kept].share, 1e-15);
+}
+
 // The whole matrix of thousands of outputs would be gigabytes: a point has the pairs of its coordinates.
 TEST(ResultTables, CovariancesOfThousandsOfOutputsAreThoseOfTheirGroups) {
     UncertaintyResult result = test::sample_result({1, 1, 1, false, "pose"});
