@@ -46,7 +46,13 @@ AsSeen by_figures(const RedundantReadings& readings) {
     AsSeen taken{std::vector<TakenFactor>(readings.figures.size()), {}};
     const Seen& seen = seen_of(readings);
     if (!seen.found) {
-        taken.kept = tell<"The residuals give no factors: uncertainties of the readings stay as stated">();
+        taken.kept =
+            readings.names.size() > most_readings_of(readings)
+                ? tell<
+                      "The residuals of more than %1 readings are not divided between their figures: "
+                      "uncertainties "
+                      "stay as stated; one factor for all of them can be had">(most_readings_of(readings))
+                : tell<"The residuals give no factors: uncertainties of the readings stay as stated">();
         return taken;
     }
     Message kept;

@@ -45,6 +45,8 @@ OrderedJson seen_json(const evidence::RedundantReadings& readings, const evidenc
             {"asStated", json_number(unit.interval_from_si(seen.mean_u_stated))},
             {"asSeen", json_number(unit.interval_from_si(seen.mean_u_seen))}};
     }
+    if (seen.degrees_of_freedom > 0 && !seen.found)
+        json["notFound"] = seen_notes(readings, seen).front().english();
     json["figures"] = OrderedJson::array();
     for (std::size_t k = 0; k < seen.figures.size(); ++k)
         json["figures"].push_back(figure_json(readings, seen.figures[k], k));
