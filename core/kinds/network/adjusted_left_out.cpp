@@ -157,6 +157,23 @@ void propose_mistakes(const AdjustedNetwork& network, Problems& problems) {
         problems.warning(adjustment_fields().place(&StatedAdjustment::readings), std::move(words));
 }
 
+/// Where the readings told every place at the beginning, those that contradict each other have led the
+/// search to where they do not: what is open there is not what is wrong.
+void say_astray(AdjustedNetwork& network, Problems& own, Problems& problems) {
+    AdjustedNetwork begun = network;
+    begun.state = begun.stated;
+    if (network.unsolved && !(is_far_off(network) && was_determined(begun))) return;
+    propose_mistakes(begun, problems);
+    if (!network.unsolved) return;
+    own = {};
+    own.error(
+        adjustment_fields().place(&StatedAdjustment::readings),
+        tell<"the readings contradict each other so much that the search for the places of the points went "
+             "astray: "
+             "look for exchanged or mistyped readings, for a unit or the sense of angles that was mixed up, "
+             "and for coordinates that are far off">());
+}
+
 class Selection {
 public:
     Selection(StatedAdjustment stated, Problems& problems) : stated_(std::move(stated)), problems_(problems) {
@@ -199,29 +216,11 @@ private:
         adjust_from_start(*made, stated_.robust, own);
         if (own.has_errors()) {
             again_ = take_back() || leave_undetermined(begun, *made) || leave_gross(begun);
-            if (!again_) say_astray(*made, own);
+            if (!again_) say_astray(*made, own, problems_);
             return {};
         }
         again_ = (is_gross(*made, stated_.gross_limit) && leave_gross(begun)) || leave_outliers(begun, *made);
         return made;
-    }
-
-    /// Where the readings told every place at the beginning, those that contradict each other have led the
-    /// search to where they do not: what is open there is not what is wrong.
-    void say_astray(AdjustedNetwork& network, Problems& own) {
-        AdjustedNetwork begun = network;
-        begun.state = begun.stated;
-        if (network.unsolved && !(is_far_off(network) && was_determined(begun))) return;
-        propose_mistakes(begun, problems_);
-        if (!network.unsolved) return;
-        own = {};
-        own.error(
-            adjustment_fields().place(&StatedAdjustment::readings),
-            tell<
-                "the readings contradict each other so much that the search for the places of the points "
-                "went "
-                "astray: look for exchanged or mistyped readings, for a unit or the sense of angles that was "
-                "mixed up, and for coordinates that are far off">());
     }
 
     void leave_point(const AdjustedNetwork& network, std::size_t p, bool plane) {

@@ -62,15 +62,105 @@ bool scale(AdjustedReading& r, double factor) {
     return r.value > 0.0;
 }
 
+/// Units that were mixed up.
+class UnitMistakes {
+public:
+    UnitMistakes(const AdjustedNetwork& network, std::vector<Mistake>& mistakes)
+        : network_(network), mistakes_(mistakes) {}
+
+    void add_of_sets() {
+        constexpr double degrees_per_gon = 0.9;
+        std::set<std::vector<std::size_t>> tried;
+        for (const TypedTogether& set : typed_together())
+            for (const bool angle : {true, false}) {
+                std::vector<std::size_t> readings;
+                for (std::size_t i = 0; i < network_.readings.size(); ++i) {
+                    const AdjustedReading& r = network_.readings[i];
+                    if (set.has(r) && (angle ? is_read_angle(r) : is_read_length(r))) readings.push_back(i);
+                }
+                if (readings.empty() || !tried.insert(readings).second) continue;
+                const Message& words = angle ? set.angles : set.lengths;
+                const double small = angle ? degrees_per_gon : metres_per_millimetre;
+                add_unit(angle ? tell<"the readings agree if %1 are gon that were typed as degrees">(words)
+                               : tell<"the readings agree if %1 are mm that were typed as m">(words),
+                         readings, small);
+                add_unit(angle ? tell<"the readings agree if %1 are degrees that were typed as gon">(words)
+                               : tell<"the readings agree if %1 are m that were typed as mm">(words),
+                         readings, 1.0 / small);
+                if (!angle)
+                    add_unit(tell<"the readings agree if %1 are feet that were typed as m">(words), readings,
+                             metres_per_foot);
+            }
+    }
+
+    /// Single lengths in mm, the largest first: a thousand times too large one is among them.
+    void add_of_readings() {
+        std::vector<std::pair<double, std::size_t>> lengths;
+        for (std::size_t i = 0; i < network_.readings.size(); ++i)
+            if (const AdjustedReading& r = network_.readings[i]; is_read_length(r))
+                lengths.emplace_back(-std::abs(r.value), i);
+        std::ranges::sort(lengths);
+        for (const auto& [size, i] : lengths)
+            add_unit(tell<"the readings agree if the %1 is in mm and was typed as m">(
+                         words_of(network_, network_.readings[i])),
+                     {i}, metres_per_millimetre);
+    }
+
+private:
+    /// All readings, those of each kind, from each station, of each instrument; each set once.
+    std::vector<TypedTogether> typed_together() const {
+        std::vector<TypedTogether> sets{
+            {tell<"all angles">(), tell<"all lengths">(), [](const AdjustedReading&) { return true; }}};
+        const auto add_kind = [&](ReadingKind kind, const Message& words) {
+            sets.push_back({words, words, [kind](const AdjustedReading& r) { return r.kind == kind; }});
+        };
+        add_kind(ReadingKind::direction, tell<"the directions">());
+        add_kind(ReadingKind::zenith_angle, tell<"the zenith angles">());
+        add_kind(ReadingKind::slope_distance, tell<"the slope distances">());
+        add_kind(ReadingKind::horizontal_distance, tell<"the horizontal distances">());
+        add_kind(ReadingKind::height_difference, tell<"the height differences">());
+        std::set<std::size_t> stations;
+        std::set<std::string> instruments;
+        for (const AdjustedReading& r : network_.readings) {
+            if (!is_read_angle(r) && !is_read_length(r)) continue;
+            stations.insert(r.from);
+            if (!r.instrument.empty()) instruments.insert(r.instrument);
+        }
+        for (const std::size_t station : stations) {
+            const std::string& name = network_.points[station].name;
+            sets.push_back({tell<"the angles read from %1">(name), tell<"the lengths read from %1">(name),
+                            [station](const AdjustedReading& r) { return r.from == station; }});
+        }
+        for (const std::string& instrument : instruments)
+            sets.push_back({tell<"the angles of %1">(instrument), tell<"the lengths of %1">(instrument),
+                            [instrument](const AdjustedReading& r) { return r.instrument == instrument; }});
+        return sets;
+    }
+
+    void add_unit(Message words, const std::vector<std::size_t>& readings, double factor) {
+        mistakes_.push_back({std::move(words),
+                             [readings, factor](AdjustedNetwork& network) {
+                                 return std::ranges::all_of(readings, [&](std::size_t i) {
+                                     return scale(network.readings[i], factor);
+                                 });
+                             },
+                             factor < 1.0 ? readings : std::vector<std::size_t>(), factor});
+    }
+
+    const AdjustedNetwork& network_;
+    std::vector<Mistake>& mistakes_;
+};
+
 class Mistakes {
 public:
     explicit Mistakes(const AdjustedNetwork& network) : network_(network) {
-        add_units();
+        UnitMistakes units(network_, mistakes_);
+        units.add_of_sets();
         add_sense();
         add_units_of_coordinates();
         add_coordinates();
         add_names();
-        add_units_of_readings();
+        units.add_of_readings();
     }
 
     std::vector<Message> explaining() const {
@@ -116,74 +206,6 @@ private:
         return found.degrees_of_freedom > 0 &&
                chi_squared_upper_tail(found.sum_of_squares, found.degrees_of_freedom) >
                    adjustment::significance;
-    }
-
-    /// All readings, those of each kind, from each station, of each instrument; each set once.
-    std::vector<TypedTogether> typed_together() const {
-        std::vector<TypedTogether> sets{
-            {tell<"all angles">(), tell<"all lengths">(), [](const AdjustedReading&) { return true; }}};
-        const auto add_kind = [&](ReadingKind kind, const Message& words) {
-            sets.push_back({words, words, [kind](const AdjustedReading& r) { return r.kind == kind; }});
-        };
-        add_kind(ReadingKind::direction, tell<"the directions">());
-        add_kind(ReadingKind::zenith_angle, tell<"the zenith angles">());
-        add_kind(ReadingKind::slope_distance, tell<"the slope distances">());
-        add_kind(ReadingKind::horizontal_distance, tell<"the horizontal distances">());
-        add_kind(ReadingKind::height_difference, tell<"the height differences">());
-        std::set<std::size_t> stations;
-        std::set<std::string> instruments;
-        for (const AdjustedReading& r : network_.readings) {
-            if (!is_read_angle(r) && !is_read_length(r)) continue;
-            stations.insert(r.from);
-            if (!r.instrument.empty()) instruments.insert(r.instrument);
-        }
-        for (const std::size_t station : stations) {
-            const std::string& name = network_.points[station].name;
-            sets.push_back({tell<"the angles read from %1">(name), tell<"the lengths read from %1">(name),
-                            [station](const AdjustedReading& r) { return r.from == station; }});
-        }
-        for (const std::string& instrument : instruments)
-            sets.push_back({tell<"the angles of %1">(instrument), tell<"the lengths of %1">(instrument),
-                            [instrument](const AdjustedReading& r) { return r.instrument == instrument; }});
-        return sets;
-    }
-
-    void add_units() {
-        constexpr double degrees_per_gon = 0.9;
-        std::set<std::vector<std::size_t>> tried;
-        for (const TypedTogether& set : typed_together())
-            for (const bool angle : {true, false}) {
-                std::vector<std::size_t> readings;
-                for (std::size_t i = 0; i < network_.readings.size(); ++i) {
-                    const AdjustedReading& r = network_.readings[i];
-                    if (set.has(r) && (angle ? is_read_angle(r) : is_read_length(r))) readings.push_back(i);
-                }
-                if (readings.empty() || !tried.insert(readings).second) continue;
-                const Message& words = angle ? set.angles : set.lengths;
-                const double small = angle ? degrees_per_gon : metres_per_millimetre;
-                add_unit(angle ? tell<"the readings agree if %1 are gon that were typed as degrees">(words)
-                               : tell<"the readings agree if %1 are mm that were typed as m">(words),
-                         readings, small);
-                add_unit(angle ? tell<"the readings agree if %1 are degrees that were typed as gon">(words)
-                               : tell<"the readings agree if %1 are m that were typed as mm">(words),
-                         readings, 1.0 / small);
-                if (!angle)
-                    add_unit(tell<"the readings agree if %1 are feet that were typed as m">(words), readings,
-                             metres_per_foot);
-            }
-    }
-
-    /// Single lengths in mm, those first that miss the others by most.
-    void add_units_of_readings() {
-        std::vector<std::pair<double, std::size_t>> lengths;
-        for (std::size_t i = 0; i < network_.readings.size(); ++i)
-            if (const AdjustedReading& r = network_.readings[i]; is_read_length(r))
-                lengths.emplace_back(-std::abs(r.value), i);
-        std::ranges::sort(lengths);
-        for (const auto& [size, i] : lengths)
-            add_unit(tell<"the readings agree if the %1 is in mm and was typed as m">(
-                         words_of(network_, network_.readings[i])),
-                     {i}, metres_per_millimetre);
     }
 
     void add_sense() {
@@ -249,16 +271,6 @@ private:
     static bool is_stated_coordinate(const AdjustedReading& r) {
         return (r.kind == ReadingKind::x || r.kind == ReadingKind::y || r.kind == ReadingKind::z) &&
                r.row == AdjustedReading::no_round;
-    }
-
-    void add_unit(Message words, const std::vector<std::size_t>& readings, double factor) {
-        mistakes_.push_back({std::move(words),
-                             [readings, factor](AdjustedNetwork& network) {
-                                 return std::ranges::all_of(readings, [&](std::size_t i) {
-                                     return scale(network.readings[i], factor);
-                                 });
-                             },
-                             factor < 1.0 ? readings : std::vector<std::size_t>(), factor});
     }
 
     bool is_known(std::size_t point) const {

@@ -45,10 +45,10 @@ bool intersect(PlaneFrame& frame, std::size_t p, const std::vector<Ray>& rays) {
 }
 
 /// Readings in the plane: directions in rounds (an angle is a round of two), azimuths in a round whose
-/// orientation is 0, horizontal distances, differences of coordinates.
+/// orientation is 0, horizontal distances, differences of coordinates. Of the points `beyond` no plane knows
+/// anything.
 class PlaneReadings {
 public:
-    /// `beyond`: points of which no plane knows anything.
     PlaneReadings(const AdjustedNetwork& network, const std::vector<char>& beyond)
         : network_(network), rounds_(network.rounds.size()), by_point_(network.points.size()) {
         if (std::ranges::none_of(network.points, [](const AdjustedPoint& p) {
