@@ -209,7 +209,8 @@ PointsByDistances points_from_distances(const PointsAndDistances& given) {
 
 PointsByDistances nearest_by_distances(const PointsAndDistances& given) {
     Places x(3, static_cast<Eigen::Index>(given.places.size()));
-    for (std::size_t p = 0; p < given.places.size(); ++p) x.col(static_cast<Eigen::Index>(p)) = given.places[p];
+    for (std::size_t p = 0; p < given.places.size(); ++p)
+        x.col(static_cast<Eigen::Index>(p)) = given.places[p];
     const double sum = DistanceSearch(given).settle(x, Misfit::of_lengths);
     return found_at(x, sum);
 }

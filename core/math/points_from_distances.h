@@ -17,7 +17,7 @@ struct TiedDistance {
 };
 
 struct PointsAndDistances {
-    std::vector<Eigen::Vector3d> places;     ///< coordinates; `points_from_distances` looks at those that are held
+    std::vector<Eigen::Vector3d> places;     ///< only those that are held count for `points_from_distances`
     std::vector<std::array<bool, 3>> holds;  ///< whether each coordinate is held
     std::vector<TiedDistance> distances;
 };
