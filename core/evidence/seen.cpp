@@ -277,7 +277,11 @@ const Seen& seen_of(const RedundantReadings& readings) {
 }
 
 std::size_t most_readings_of(const RedundantReadings& readings) {
-    return readings.shares.empty() ? most_readings : most_sharing_readings;
+    if (!readings.shares.empty()) return most_sharing_readings;
+    // Fewer solutions than that, one for each unknown and figure, will do for any number of readings.
+    const auto unknowns = static_cast<std::size_t>(readings.design.cols());
+    return unknowns * readings.figures.size() <= most_readings ? std::numeric_limits<std::size_t>::max()
+                                                               : most_readings;
 }
 
 Seen global_test(const RedundantReadings& readings, double level) {

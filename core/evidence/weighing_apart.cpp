@@ -28,18 +28,14 @@ public:
         const Eigen::VectorXd before = W * readings_.residuals;
         const Eigen::VectorXd v = before - A * adjusted.step(A.transpose() * before);
         Sums sums(square.size());
-        for (Eigen::Index i = 0; i < v.size(); ++i) {
-            const std::size_t of = figure_of(i);
-            if (of == none) continue;
-            const auto k = static_cast<Eigen::Index>(of);
-            Eigen::VectorXd row = -(A * adjusted.step(Eigen::VectorXd(A.row(i).transpose())));
-            row[i] += 1.0;
-            sums.redundancy[k] += row[i];
-            sums.residuals[k] += v[i] * v[i];
-            for (Eigen::Index j = 0; j < row.size(); ++j)
-                if (const std::size_t to = figure_of(j); to != none)
-                    sums.squares(k, static_cast<Eigen::Index>(to)) += row[j] * row[j];
-        }
+        for (Eigen::Index i = 0; i < v.size(); ++i)
+            if (const std::size_t of = figure_of(i); of != none)
+                sums.residuals[static_cast<Eigen::Index>(of)] += v[i] * v[i];
+        // As many solutions as readings, or as figures times unknowns.
+        if (A.cols() * square.size() < A.rows())
+            add_by_unknowns(adjusted, sums);
+        else
+            add_by_readings(adjusted, sums);
         const Eigen::MatrixXd parts = by_figures(v, square.size());
         for (Eigen::Index k = 0; k < square.size(); ++k)
             sums.observed.row(k) =
@@ -61,6 +57,48 @@ public:
     int degrees_of_freedom() const override { return stated_.is_solved() ? stated_.degrees_of_freedom() : 0; }
 
 private:
+    /// Adds the squares of the rows of P.
+    void add_by_readings(const Adjustment& adjusted, Sums& sums) const {
+        const SparseRows& A = adjusted.whitened();
+        for (Eigen::Index i = 0; i < A.rows(); ++i) {
+            const std::size_t of = figure_of(i);
+            if (of == none) continue;
+            const auto k = static_cast<Eigen::Index>(of);
+            Eigen::VectorXd row = -(A * adjusted.step(Eigen::VectorXd(A.row(i).transpose())));
+            row[i] += 1.0;
+            sums.redundancy[k] += row[i];
+            for (Eigen::Index j = 0; j < row.size(); ++j)
+                if (const std::size_t to = figure_of(j); to != none)
+                    sums.squares(k, static_cast<Eigen::Index>(to)) += row[j] * row[j];
+        }
+    }
+
+    /// The same by traces of Q N_k, where N_k is the part of figure k in the normal matrix: n_k − tr Q N_k,
+    /// and tr Q N_k Q N_l, with n_k − 2 tr Q N_k more where l is k.
+    void add_by_unknowns(const Adjustment& adjusted, Sums& sums) const {
+        const SparseRows& A = adjusted.whitened();
+        const Eigen::Index figures = sums.redundancy.size(), unknowns = A.cols();
+        std::vector<Eigen::MatrixXd> QN;
+        for (Eigen::Index k = 0; k < figures; ++k) {
+            Eigen::VectorXd is_own = Eigen::VectorXd::Zero(A.rows());
+            for (Eigen::Index i = 0; i < A.rows(); ++i)
+                is_own[i] = figure_of(i) == static_cast<std::size_t>(k) ? 1.0 : 0.0;
+            const SparseRows own = is_own.asDiagonal() * A;
+            const Eigen::SparseMatrix<double> N = own.transpose() * own;
+            Eigen::MatrixXd& of_figure = QN.emplace_back(unknowns, unknowns);
+            for (Eigen::Index j = 0; j < unknowns; ++j)
+                of_figure.col(j) = adjusted.step(Eigen::VectorXd(N.col(j)));
+            const double count = is_own.sum(), trace = of_figure.trace();
+            sums.redundancy[k] = count - trace;
+            sums.squares(k, k) = count - 2.0 * trace;
+        }
+        for (Eigen::Index k = 0; k < figures; ++k)
+            for (Eigen::Index l = 0; l < figures; ++l)
+                sums.squares(k, l) += QN[static_cast<std::size_t>(k)]
+                                          .cwiseProduct(QN[static_cast<std::size_t>(l)].transpose())
+                                          .sum();
+    }
+
     std::size_t figure_of(Eigen::Index reading) const {
         return readings_.figure_of[static_cast<std::size_t>(reading)];
     }

@@ -174,6 +174,16 @@ TEST(Seen, TellsSharedDeviationsFromNoise) {
 }
 
 // One figure: the components are s0², with the u of chi-squared.
+TEST(Seen, ManyReadingsOfFewUnknownsAreNoBurden) {
+    const Campaign of = campaign({7000, 9000}, 5, 11);
+    std::mt19937_64 random(23);
+    const Seen seen = evidence::see(of.readings(errors(of, {0.5, 2.0}, random)));
+    ASSERT_TRUE(seen.found);
+    // Four standard uncertainties of a factor of so many degrees of freedom.
+    EXPECT_NEAR(seen.figures[0].factor, 0.5, 4.0 * 0.5 / std::sqrt(2.0 * 7000));
+    EXPECT_NEAR(seen.figures[1].factor, 2.0, 4.0 * 2.0 / std::sqrt(2.0 * 9000));
+}
+
 TEST(Seen, OneFigureIsSNought) {
     const Campaign of = campaign({30}, 6, 5);
     std::mt19937_64 random(2);
