@@ -20,7 +20,8 @@ namespace {
 using Batch = xsimd::batch<double>;
 using Coefficients = std::array<double, 8>;
 
-// Coefficients of PPND16, in the letters of the paper.
+/// Coefficients of PPND16, in the letters of the paper.
+namespace ppnd16 {
 constexpr Coefficients a{3.3871328727963666080e0, 1.3314166789178437745e2, 1.9715909503065514427e3,
                          1.3731693765509461125e4, 4.5921953931549871457e4, 6.7265770927008700853e4,
                          3.3430575583588128105e4, 2.5090809287301226727e3};
@@ -54,24 +55,25 @@ constexpr Coefficients f{1.0,
                          1.84631831751005468180e-5,
                          1.42151175831644588870e-7,
                          2.04426310338993978564e-15};
+}  // namespace ppnd16
 
 constexpr double half_width_of_centre = 0.425;
 
 Batch central(Batch p) {
     const Batch q = p - Batch(0.5);
     const Batch r = Batch(half_width_of_centre * half_width_of_centre) - q * q;
-    return q * polynomial(a, r) / polynomial(b, r);
+    return q * polynomial(ppnd16::a, r) / polynomial(ppnd16::b, r);
 }
 
 Batch tail(Batch p) {
     const Batch smaller = xsimd::min(p, Batch(1.0) - p);
     const Batch r = xsimd::sqrt(-xsimd::log(smaller));
     const Batch near = r - Batch(1.6);
-    Batch z = polynomial(c, near) / polynomial(d, near);
+    Batch z = polynomial(ppnd16::c, near) / polynomial(ppnd16::d, near);
     const auto is_far = r > Batch(5.0);
     if (xsimd::any(is_far)) {
         const Batch far = r - Batch(5.0);
-        z = xsimd::select(is_far, polynomial(e, far) / polynomial(f, far), z);
+        z = xsimd::select(is_far, polynomial(ppnd16::e, far) / polynomial(ppnd16::f, far), z);
         const Batch infinite(std::numeric_limits<double>::infinity());
         z = xsimd::select(r == infinite, infinite, z);
     }
@@ -111,8 +113,9 @@ COVARIA_AVX512 void centre_of_chunk_avx512(std::span<const double> p, std::span<
                             _mm256_maskz_compress_epi32(apart, place));
         tails.count += static_cast<std::size_t>(std::popcount(static_cast<unsigned>(apart)));
         const __m512d r = _mm512_sub_pd(edge2, _mm512_mul_pd(q, q));
-        _mm512_mask_storeu_pd(&z[i], there,
-                              _mm512_div_pd(_mm512_mul_pd(q, wide_polynomial(a, r)), wide_polynomial(b, r)));
+        _mm512_mask_storeu_pd(
+            &z[i], there,
+            _mm512_div_pd(_mm512_mul_pd(q, wide_polynomial(ppnd16::a, r)), wide_polynomial(ppnd16::b, r)));
     }
 }
 

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <set>
 
 #include "core/kinds/robot/layout.h"
@@ -85,7 +86,7 @@ private:
                 zyx_from_rotation<double>(id_.X_MB.linear() * rotation_from_zyx<double>(small));
             for (int k = 0; k < 3; ++k)
                 slopes[static_cast<std::size_t>(k)][static_cast<Index>(i)] =
-                    std::remainder(there[k] - angles[k], 2.0 * M_PI) / turn;
+                    std::remainder(there[k] - angles[k], 2.0 * std::numbers::pi) / turn;
         }
         for (std::size_t k = 0; k < 3; ++k)
             add(tell<"base %1">(symbol_to_unicode(symbols[k])), angles[static_cast<Index>(k)], slopes[k],

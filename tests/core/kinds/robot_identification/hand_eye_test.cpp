@@ -4,8 +4,10 @@
 
 #include <cmath>
 #include <map>
+#include <numbers>
 
 #include "core/base/resource_path.h"
+#include "core/math/rotation.h"
 #include "tests/core/made.h"
 #include "tests/core/table_rows.h"
 
@@ -117,14 +119,14 @@ TEST(HandEye, WhatTheFlangeCarriesCanBeExchanged) {
         Eigen::Vector3d angles;
         for (int k = 0; k < 3; ++k) {
             B.translation()[k] = std::get<double>(row[static_cast<std::size_t>(8 + k)]);
-            angles[k] = std::get<double>(row[static_cast<std::size_t>(11 + k)]) * M_PI / 180.0;
+            angles[k] = std::get<double>(row[static_cast<std::size_t>(11 + k)]) * std::numbers::pi / 180.0;
         }
         B.linear() = rotation_from_zyx<double>(angles);
         const Eigen::Isometry3d back = B.inverse();
         angles = zyx_from_rotation<double>(back.linear());
         for (int k = 0; k < 3; ++k) {
             row[static_cast<std::size_t>(8 + k)] = back.translation()[k];
-            row[static_cast<std::size_t>(11 + k)] = angles[k] * 180.0 / M_PI;
+            row[static_cast<std::size_t>(11 + k)] = angles[k] * 180.0 / std::numbers::pi;
         }
     }
     hand_eye.setup("camera").values["mount"] = std::string("target");

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <set>
 
 #include "core/base/resource_path.h"
@@ -315,7 +316,8 @@ TEST(FromReadings, ACompliantJointIsTold) {
     EXPECT_EQ(held_in(*readings.prepare("distances")).at("c_2"), "changes no reading");
     auto& poses = readings.table("distances", "poses").rows;
     for (std::size_t k = 0; k < poses.size(); k += 2) {
-        poses[k][q_1 + 1] = std::get<double>(poses[k][q_1 + 1]) - 1e-6 * compliance * torque * 180.0 / M_PI;
+        poses[k][q_1 + 1] =
+            std::get<double>(poses[k][q_1 + 1]) - 1e-6 * compliance * torque * 180.0 / std::numbers::pi;
         poses[k][tau_1 + 1] = torque;
     }
     const auto found = parameters(readings.run("distances", 0));
