@@ -20110,671 +20110,811 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     </message>
     <message>
         <source>Robot from distances, planes and balls</source>
-        <translation type="unfinished"></translation>
+        <translation>Roboter aus Abständen, Ebenen und Kugeln</translation>
     </message>
     <message>
         <source>Geometric parameters of a robot by least squares from distances, touched planes, distances between poses and positions of reflectors, without measured poses.</source>
-        <translation type="unfinished"></translation>
+        <translation>Geometrische Parameter eines Roboters nach kleinsten Quadraten aus Abständen, berührten Ebenen, Abständen zwischen Posen und Positionen von Reflektoren, ohne gemessene Posen.</translation>
     </message>
     <message>
         <source>Unknowns that the readings cannot tell are found by their columns of the Jacobian: each that is a combination of those before it (base, places, zeros, targets, then joint by joint, then compliances) stays as stated and is named with its partners.</source>
-        <translation type="unfinished"></translation>
+        <translation>Unbekannte, die die Ablesungen nicht bestimmen können, werden an ihren Spalten der Jacobi-Matrix erkannt: Jede, die eine Kombination der vor ihr stehenden ist (Basis, Orte, Nullpunkte, Zielpunkte, dann Gelenk für Gelenk, dann Nachgiebigkeiten), bleibt wie angegeben und wird mit ihren Partnern genannt.</translation>
     </message>
     <message>
         <source>Touched planes that are themselves found tell no lengths: an arm and its surroundings that are larger by one factor touch planes that are further away by it. One known distance gives the scale.</source>
-        <translation type="unfinished"></translation>
+        <translation>Berührte Ebenen, die selbst gefunden werden, zeigen keine Längen: Ein Arm, der samt seiner Umgebung um einen Faktor größer ist, berührt Ebenen, die um diesen Faktor weiter entfernt sind. Ein bekannter Abstand gibt den Maßstab.</translation>
     </message>
     <message>
         <source>Weights are the inverse variances of the readings. What readings share (the scale of the distances, an instrument&apos;s station, readings of the joints, known places) does not change the weights, but is propagated in full.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gewichte sind die inversen Varianzen der Ablesungen. Was Ablesungen gemeinsam haben (den Maßstab der Abstände, den Standpunkt eines Messgeräts, Ablesungen der Gelenke, bekannte Orte), ändert die Gewichte nicht, wird aber vollständig fortgepflanzt.</translation>
     </message>
     <message>
         <source>The identified robot stands where its base was found; compliances are reported and not part of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der identifizierte Roboter steht dort, wo seine Basis gefunden wurde; Nachgiebigkeiten werden berichtet und sind kein Teil von ihm.</translation>
     </message>
     <message>
         <source>In each trial the gain of the estimates is used. It differs from a complete fit by residual times curvature.</source>
-        <translation type="unfinished"></translation>
+        <translation>In jedem Versuch wird die Verstärkung der Schätzwerte verwendet. Sie unterscheidet sich von einer vollständigen Anpassung um Residuum mal Krümmung.</translation>
     </message>
     <message>
         <source>The arm as designed: start of the fit, values of what the readings cannot tell, uncertainty of the readings of its joints, and the arm of a plan.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Arm wie konstruiert: Startwert der Anpassung, Werte dessen, was die Ablesungen nicht zeigen können, Unsicherheit der Ablesungen seiner Gelenke und der Arm eines Plans.</translation>
     </message>
     <message>
         <source>Readings are</source>
-        <translation type="unfinished"></translation>
+        <translation>Ablesungen sind</translation>
     </message>
     <message>
         <source>Measured. Or a plan: readings are those of the nominal robot, to see what an experiment would give.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gemessen. Oder ein Plan: Die Ablesungen sind die des Nennroboters, um zu sehen, was ein Experiment ergäbe.</translation>
     </message>
     <message>
         <source>a plan</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Plan</translation>
     </message>
     <message>
         <source>Balls and reflectors</source>
-        <translation type="unfinished"></translation>
+        <translation>Kugeln und Reflektoren</translation>
     </message>
     <message>
         <source>What is measured on the last link.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was am letzten Glied gemessen wird.</translation>
     </message>
     <message>
         <source>Coordinate x in the frame of the last link; of one that is found: about.</source>
-        <translation type="unfinished"></translation>
+        <translation>Koordinate x im System des letzten Glieds; wenn sie gefunden wird: ungefähr.</translation>
     </message>
     <message>
         <source>Coordinate y in the frame of the last link; of one that is found: about.</source>
-        <translation type="unfinished"></translation>
+        <translation>Koordinate y im System des letzten Glieds; wenn sie gefunden wird: ungefähr.</translation>
     </message>
     <message>
         <source>Coordinate z in the frame of the last link; of one that is found: about.</source>
-        <translation type="unfinished"></translation>
+        <translation>Koordinate z im System des letzten Glieds; wenn sie gefunden wird: ungefähr.</translation>
     </message>
     <message>
         <source>place is</source>
-        <translation type="unfinished"></translation>
+        <translation>Ort ist</translation>
     </message>
     <message>
         <source>Found by the fit, or known. Empty: found.</source>
-        <translation type="unfinished"></translation>
+        <translation>Durch Anpassung gefunden oder bekannt. Leer: gefunden.</translation>
     </message>
     <message>
         <source>known</source>
-        <translation type="unfinished"></translation>
+        <translation>bekannt</translation>
     </message>
     <message>
         <source>Standard uncertainty of each coordinate, where it is known.</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheit jeder Koordinate, wo der Ort bekannt ist.</translation>
     </message>
     <message>
         <source>Points and planes</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte und Ebenen</translation>
     </message>
     <message>
         <source>What distances are measured from.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wovon aus Abstände gemessen werden.</translation>
     </message>
     <message>
         <source>is a</source>
-        <translation type="unfinished"></translation>
+        <translation>Art</translation>
     </message>
     <message>
         <source>A point: the centre of a ball, a wire&apos;s or a distance meter&apos;s zero. Or a plane.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Punkt: der Mittelpunkt einer Kugel, der Nullpunkt eines Seilzugs oder eines Distanzmessers. Oder eine Ebene.</translation>
     </message>
     <message>
         <source>Coordinate x in the measuring frame, of the point or of any point of the plane; may be empty where it is found.</source>
-        <translation type="unfinished"></translation>
+        <translation>Koordinate x im Koordinatensystem der Messung, des Punktes oder eines beliebigen Punktes der Ebene; darf leer sein, wo der Ort gefunden wird.</translation>
     </message>
     <message>
         <source>Coordinate y in the measuring frame, of the point or of any point of the plane; may be empty where it is found.</source>
-        <translation type="unfinished"></translation>
+        <translation>Koordinate y im Koordinatensystem der Messung, des Punktes oder eines beliebigen Punktes der Ebene; darf leer sein, wo der Ort gefunden wird.</translation>
     </message>
     <message>
         <source>Coordinate z in the measuring frame, of the point or of any point of the plane; may be empty where it is found.</source>
-        <translation type="unfinished"></translation>
+        <translation>Koordinate z im Koordinatensystem der Messung, des Punktes oder eines beliebigen Punktes der Ebene; darf leer sein, wo der Ort gefunden wird.</translation>
     </message>
     <message>
         <source>Coordinate x of the normal of a plane, to the side on which distances are positive; may be empty where it is found.</source>
-        <translation type="unfinished"></translation>
+        <translation>Koordinate x der Normalen einer Ebene, zu der Seite, auf der Abstände positiv sind; darf leer sein, wo die Ebene gefunden wird.</translation>
     </message>
     <message>
         <source>Coordinate y of the normal of a plane, to the side on which distances are positive; may be empty where it is found.</source>
-        <translation type="unfinished"></translation>
+        <translation>Koordinate y der Normalen einer Ebene, zu der Seite, auf der Abstände positiv sind; darf leer sein, wo die Ebene gefunden wird.</translation>
     </message>
     <message>
         <source>Coordinate z of the normal of a plane, to the side on which distances are positive; may be empty where it is found.</source>
-        <translation type="unfinished"></translation>
+        <translation>Koordinate z der Normalen einer Ebene, zu der Seite, auf der Abstände positiv sind; darf leer sein, wo die Ebene gefunden wird.</translation>
     </message>
     <message>
         <source>Found by the fit, or known. Empty: known.</source>
-        <translation type="unfinished"></translation>
+        <translation>Durch Anpassung gefunden oder bekannt. Leer: bekannt.</translation>
     </message>
     <message>
         <source>Standard uncertainty of each coordinate of a known point, or of a known plane along its normal.</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheit jeder Koordinate eines bekannten Punktes oder einer bekannten Ebene entlang ihrer Normalen.</translation>
     </message>
     <message>
         <source>Readings of the joints.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ablesungen der Gelenke.</translation>
     </message>
     <message>
         <source>Torque of the load about the axis of joint 1, where compliances are found; empty: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>Moment der Last um die Achse von Gelenk 1, wo Nachgiebigkeiten gefunden werden; leer: keines.</translation>
     </message>
     <message>
         <source>Torque of the load about the axis of joint 2, where compliances are found; empty: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>Moment der Last um die Achse von Gelenk 2, wo Nachgiebigkeiten gefunden werden; leer: keines.</translation>
     </message>
     <message>
         <source>Torque of the load about the axis of joint 3, where compliances are found; empty: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>Moment der Last um die Achse von Gelenk 3, wo Nachgiebigkeiten gefunden werden; leer: keines.</translation>
     </message>
     <message>
         <source>Torque of the load about the axis of joint 4, where compliances are found; empty: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>Moment der Last um die Achse von Gelenk 4, wo Nachgiebigkeiten gefunden werden; leer: keines.</translation>
     </message>
     <message>
         <source>Torque of the load about the axis of joint 5, where compliances are found; empty: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>Moment der Last um die Achse von Gelenk 5, wo Nachgiebigkeiten gefunden werden; leer: keines.</translation>
     </message>
     <message>
         <source>Torque of the load about the axis of joint 6, where compliances are found; empty: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>Moment der Last um die Achse von Gelenk 6, wo Nachgiebigkeiten gefunden werden; leer: keines.</translation>
     </message>
     <message>
         <source>Torque of the load about the axis of joint 7, where compliances are found; empty: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>Moment der Last um die Achse von Gelenk 7, wo Nachgiebigkeiten gefunden werden; leer: keines.</translation>
     </message>
     <message>
         <source>Distances of a target in one pose from a point, a plane, or its place in another pose: laser tracer, wire sensors, ballbar, dial gauge, probe on a ball plate.</source>
-        <translation type="unfinished"></translation>
+        <translation>Abstände eines Zielpunkts in einer Pose von einem Punkt, einer Ebene oder seinem Ort in einer anderen Pose: Lasertracer, Seilzugsensoren, Ballbar, Messuhr, Taster auf einer Kugelplatte.</translation>
     </message>
     <message>
         <source>Name of the pose in which the arm stood.</source>
-        <translation type="unfinished"></translation>
+        <translation>Name der Pose, in der der Arm stand.</translation>
     </message>
     <message>
         <source>Name of the ball or reflector that was measured. Empty: the first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Name der Kugel oder des Reflektors, die oder der gemessen wurde. Leer: der erste Eintrag.</translation>
     </message>
     <message>
         <source>from a</source>
-        <translation type="unfinished"></translation>
+        <translation>von</translation>
     </message>
     <message>
         <source>Distance of the target from a point; from a plane, on the side of its normal; or from where the same target is in another pose.</source>
-        <translation type="unfinished"></translation>
+        <translation>Abstand des Zielpunkts von einem Punkt; von einer Ebene, auf der Seite ihrer Normalen; oder von dort, wo derselbe Zielpunkt in einer anderen Pose ist.</translation>
     </message>
     <message>
         <source>called</source>
-        <translation type="unfinished"></translation>
+        <translation>namens</translation>
     </message>
     <message>
         <source>Name of the point, the plane or the other pose.</source>
-        <translation type="unfinished"></translation>
+        <translation>Name des Punktes, der Ebene oder der anderen Pose.</translation>
     </message>
     <message>
         <source>Measured distance; 0 where the ball touches the plane. Not needed of a plan.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gemessener Abstand; 0, wo die Kugel die Ebene berührt. In einem Plan nicht nötig.</translation>
     </message>
     <message>
         <source>Standard uncertainty of this distance. Empty: that of all distances.</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheit dieses Abstands. Leer: die aller Abstände.</translation>
     </message>
     <message>
         <source>Name of an unknown that all distances of that name contain: zero of a wire sensor, length of a ballbar, radius of a ball. Empty: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>Name einer Unbekannten, die alle Abstände dieses Namens enthalten: Nullpunkt eines Seilzugsensors, Länge eines Ballbars, Radius einer Kugel. Leer: keine.</translation>
     </message>
     <message>
         <source>fit: taken into the fit. check: held back, to see how well the identified arm tells it. Empty: fit.</source>
-        <translation type="unfinished"></translation>
+        <translation>fit (Anpassung): geht in die Anpassung ein. check (Prüfung): zurückgehalten, um zu sehen, wie gut der identifizierte Arm sie vorhersagt. Leer: fit.</translation>
     </message>
     <message>
         <source>Standard uncertainty of a distance</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheit eines Abstands</translation>
     </message>
     <message>
         <source>Of each distance that states none of its own, independent of all others.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jedes Abstands, der keine eigene angibt, unabhängig von allen anderen.</translation>
     </message>
     <message>
         <source>Relative standard uncertainty of their scale</source>
-        <translation type="unfinished"></translation>
+        <translation>Relative Standardunsicherheit ihres Maßstabs</translation>
     </message>
     <message>
         <source>All distances from points and between poses share it: the length standard, its temperature.</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Abstände von Punkten und zwischen Posen haben sie gemeinsam: das Längennormal, dessen Temperatur.</translation>
     </message>
     <message>
         <source>Positions</source>
-        <translation type="unfinished"></translation>
+        <translation>Positionen</translation>
     </message>
     <message>
         <source>Coordinates of targets that an instrument measured, one or more targets in a pose.</source>
-        <translation type="unfinished"></translation>
+        <translation>Koordinaten von Zielpunkten, die ein Messgerät gemessen hat, ein oder mehrere Zielpunkte in einer Pose.</translation>
     </message>
     <message>
         <source>Measured coordinate x in the measuring frame. Not needed of a plan.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gemessene Koordinate x im Koordinatensystem der Messung. In einem Plan nicht nötig.</translation>
     </message>
     <message>
         <source>Measured coordinate y in the measuring frame. Not needed of a plan.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gemessene Koordinate y im Koordinatensystem der Messung. In einem Plan nicht nötig.</translation>
     </message>
     <message>
         <source>Measured coordinate z in the measuring frame. Not needed of a plan.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gemessene Koordinate z im Koordinatensystem der Messung. In einem Plan nicht nötig.</translation>
     </message>
     <message>
         <source>Found by the fit: points, planes and the instrument stand anywhere. Known: the base stands where the robot says it stands, and places are given or found relative to it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Durch Anpassung gefunden: Punkte, Ebenen und das Messgerät stehen irgendwo. Bekannt: Die Basis steht dort, wo sie laut Roboter steht, und Orte werden relativ zu ihr angegeben oder gefunden.</translation>
     </message>
     <message>
         <source>Compliance of the joints</source>
-        <translation type="unfinished"></translation>
+        <translation>Nachgiebigkeit der Gelenke</translation>
     </message>
     <message>
         <source>Found: each joint gives way in proportion to the torque of the load about it. Not in the model.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gefunden: Jedes Gelenk gibt proportional zum Moment der Last um seine Achse nach. Nicht im Modell.</translation>
     </message>
     <message>
         <source>not in the model</source>
-        <translation type="unfinished"></translation>
+        <translation>nicht im Modell</translation>
     </message>
     <message>
         <source>Parameters that stay nominal although the readings could tell them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Parameter, die ihren Nennwert behalten, obwohl die Ablesungen sie zeigen könnten.</translation>
     </message>
     <message>
         <source>As stated; or as the residuals of this fit see them: stated ones times one common factor, or times the factor of each figure (variance components). Either has the degrees of freedom of its estimate. What all readings share stays as stated.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie angegeben; oder wie die Residuen dieser Ausgleichung sie sehen: die angegebenen mal einem gemeinsamen Faktor oder mal dem Faktor jeder Angabe (Varianzkomponenten). Beide haben die Freiheitsgrade ihrer Schätzung. Was alle Ablesungen gemeinsam haben, bleibt wie angegeben.</translation>
     </message>
     <message>
         <source>Parameters of an arm from what can be measured without poses.</source>
-        <translation type="unfinished"></translation>
+        <translation>Parameter eines Arms aus dem, was sich ohne Posen messen lässt.</translation>
     </message>
     <message>
         <source>A robot identified without poses</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein ohne Posen identifizierter Roboter</translation>
     </message>
     <message>
         <source>An arm of six joints from what can be measured without poses: distances from points, touched planes with distances between poses, positions of reflectors.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Arm mit sechs Gelenken aus dem, was sich ohne Posen messen lässt: Abstände von Punkten, berührte Ebenen mit Abständen zwischen Posen, Positionen von Reflektoren.</translation>
     </message>
     <message>
         <source>distances from points</source>
-        <translation type="unfinished"></translation>
+        <translation>Abstände von Punkten</translation>
     </message>
     <message>
         <source>distances from planes</source>
-        <translation type="unfinished"></translation>
+        <translation>Abstände von Ebenen</translation>
     </message>
     <message>
         <source>%1: the residual is %2 times its standard uncertainty (limit %3). Look at this reading first; hold it back by use = check</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: das Residuum ist das %2-fache seiner Standardunsicherheit (Grenze %3). Diese Ablesung zuerst ansehen; mit use = check zurückhalten</translation>
     </message>
     <message>
         <source>the residuals are %1 times as large as the uncertainties of the readings explain: there is more than these (a joint&apos;s elasticity, temperature, an outlier), and the uncertainty of the parameters is stated too small</source>
-        <translation type="unfinished"></translation>
+        <translation>die Residuen sind %1-mal so groß, wie die Unsicherheiten der Ablesungen erklären: es gibt mehr als diese (Elastizität eines Gelenks, Temperatur, einen Ausreißer), und die Unsicherheit der Parameter ist zu klein angegeben</translation>
     </message>
     <message>
         <source>no parameter of the arm can be told from these readings: every one of them is coupled with others or held</source>
-        <translation type="unfinished"></translation>
+        <translation>kein Parameter des Arms ist aus diesen Ablesungen bestimmbar: jeder ist mit anderen gekoppelt oder festgehalten</translation>
     </message>
     <message>
         <source>the fit has %1 readings, no more than there are unknowns to find (%2): measure more, or hold parameters</source>
-        <translation type="unfinished"></translation>
+        <translation>die Ausgleichung hat %1 Ablesungen, nicht mehr als Unbekannte zu finden sind (%2): mehr messen oder Parameter festhalten</translation>
     </message>
     <message>
         <source>gives the scale, which the readings do not tell: all lengths of the arm may be larger by one factor</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>these readings do not tell the scale: all lengths of the arm, and how far away the planes are, may be larger by one factor. %1 is held at its nominal value, the other lengths are as certain as it is; a distance between two poses or from a known point gives the scale</source>
-        <translation type="unfinished"></translation>
+        <translation>gibt den Maßstab, den die Ablesungen nicht zeigen: alle Längen des Arms können um einen Faktor größer sein</translation>
     </message>
     <message>
         <source>%1: calculated less measured, held back</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: berechnet minus gemessen, zurückgehalten</translation>
     </message>
     <message>
         <source>compliance of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Nachgiebigkeit von %1</translation>
     </message>
     <message>
         <source>zero %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Nullpunkt %1</translation>
     </message>
     <message>
         <source>distance of plane %1 from the origin</source>
-        <translation type="unfinished"></translation>
+        <translation>Abstand der Ebene %1 vom Ursprung</translation>
     </message>
     <message>
         <source>distance from a point, from another pose</source>
-        <translation type="unfinished"></translation>
+        <translation>Abstand von einem Punkt, von einer anderen Pose</translation>
     </message>
     <message>
         <source>distance from a plane, 0 where it is touched</source>
-        <translation type="unfinished"></translation>
+        <translation>Abstand von einer Ebene, 0, wo sie berührt wird</translation>
     </message>
     <message>
         <source>where compliances are found</source>
-        <translation type="unfinished"></translation>
+        <translation>wo Nachgiebigkeiten gefunden werden</translation>
     </message>
     <message>
         <source>JCGM 102 6.2, with all that readings share</source>
-        <translation type="unfinished"></translation>
+        <translation>JCGM 102 6.2, mit allem, was Ablesungen teilen</translation>
     </message>
     <message>
         <source>nothing is measured: give distances or positions</source>
-        <translation type="unfinished"></translation>
+        <translation>nichts ist gemessen: Abstände oder Positionen angeben</translation>
     </message>
     <message>
         <source>two of them are called %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>at most %1 of them are taken, and there are %2</source>
-        <translation type="unfinished"></translation>
+        <translation>zwei davon heißen %1</translation>
     </message>
     <message>
         <source>a plan must say where %1 is: give %2</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Plan muss sagen, wo %1 ist: %2 angeben</translation>
     </message>
     <message>
         <source>%1 is known, but where it is is not said: give %2, or let the fit find it</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 gilt als bekannt, aber wo, ist nicht gesagt: %2 angeben oder durch Anpassung finden lassen</translation>
     </message>
     <message>
         <source>joint %1 slides: a compliance is found of joints that turn</source>
-        <translation type="unfinished"></translation>
+        <translation>Gelenk %1 schiebt: eine Nachgiebigkeit wird nur für Gelenke gefunden, die drehen</translation>
     </message>
     <message>
         <source>joint %1 slides: its reading is %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Gelenk %1 schiebt: seine Ablesung ist %2</translation>
     </message>
     <message>
         <source>joint %1 turns: its reading is %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Gelenk %1 dreht: seine Ablesung ist %2</translation>
     </message>
     <message>
         <source>there is no pose &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>es gibt keine Pose &apos;%1&apos;</translation>
     </message>
     <message>
         <source>there is no ball or reflector &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>es gibt keine Kugel und keinen Reflektor &apos;%1&apos;</translation>
     </message>
     <message>
         <source>%1 from %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 von %2</translation>
     </message>
     <message>
         <source>a distance from a pose to itself is 0</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Abstand von einer Pose zu sich selbst ist 0</translation>
     </message>
     <message>
         <source>this distance was not measured: give its value or take its row out</source>
-        <translation type="unfinished"></translation>
+        <translation>dieser Abstand wurde nicht gemessen: seinen Wert angeben oder seine Zeile entfernen</translation>
     </message>
     <message>
         <source>a distance from a point or pose is above zero</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Abstand von einem Punkt oder einer Pose ist größer als null</translation>
     </message>
     <message>
         <source>there is no plane &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>es gibt keine Ebene &apos;%1&apos;</translation>
     </message>
     <message>
         <source>there is no point &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>es gibt keinen Punkt &apos;%1&apos;</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is a point and no plane</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; ist ein Punkt und keine Ebene</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is a plane and no point</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; ist eine Ebene und kein Punkt</translation>
     </message>
     <message>
         <source>this position was not measured: give x, y and z or take its row out</source>
-        <translation type="unfinished"></translation>
+        <translation>diese Position wurde nicht gemessen: x, y und z angeben oder ihre Zeile entfernen</translation>
     </message>
     <message>
         <source>scale of the distances</source>
-        <translation type="unfinished"></translation>
+        <translation>Maßstab der Abstände</translation>
     </message>
     <message>
         <source>measured distance</source>
-        <translation type="unfinished"></translation>
+        <translation>gemessener Abstand</translation>
     </message>
     <message>
         <source>known place</source>
-        <translation type="unfinished"></translation>
+        <translation>bekannter Ort</translation>
     </message>
     <message>
         <source>plane %1, along its normal</source>
-        <translation type="unfinished"></translation>
+        <translation>Ebene %1, entlang ihrer Normalen</translation>
     </message>
     <message>
         <source>tilt %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Neigung %1</translation>
     </message>
     <message>
         <source>Nominal: the same surroundings fitted with the nominal parameters. E_n = |d|/U: below 1 the reading agrees with the calibration.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nenn: dieselbe Umgebung, mit den Nennparametern angepasst. E_n = |d|/U: unter 1 stimmt die Ablesung mit der Kalibrierung überein.</translation>
     </message>
     <message>
         <source>readings in the fit</source>
-        <translation type="unfinished"></translation>
+        <translation>Ablesungen in der Ausgleichung</translation>
     </message>
     <message>
         <source>measured distances</source>
-        <translation type="unfinished"></translation>
+        <translation>gemessene Abstände</translation>
     </message>
     <message>
         <source>known places</source>
-        <translation type="unfinished"></translation>
+        <translation>bekannte Orte</translation>
     </message>
     <message>
         <source>What was found beside the parameters</source>
-        <translation type="unfinished"></translation>
+        <translation>Was neben den Parametern gefunden wurde</translation>
     </message>
     <message>
         <source>over its u</source>
-        <translation type="unfinished"></translation>
+        <translation>durch sein u</translation>
     </message>
     <message>
         <source>Readings held back from the fit, calculated less measured</source>
-        <translation type="unfinished"></translation>
+        <translation>Ablesungen außerhalb der Ausgleichung, berechnet minus gemessen</translation>
     </message>
     <message>
         <source>U (k = 2)</source>
-        <translation type="unfinished"></translation>
+        <translation>U (k = 2)</translation>
     </message>
     <message>
         <source>Hand-eye calibration</source>
-        <translation type="unfinished"></translation>
+        <translation>Hand-Auge-Kalibrierung</translation>
     </message>
     <message>
         <source>Where an instrument on a robot&apos;s flange is and where its target stands, or the other way round (A X = Z B), with covariance, residuals and validation.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wo ein Messgerät am Flansch eines Roboters ist und wo sein Ziel steht, oder umgekehrt (A X = Z B), mit Kovarianz, Residuen und Validierung.</translation>
     </message>
     <message>
         <source>Least squares is on what was measured, and not on A X = Z B itself: an error of a rotation counts by its own u, and not by the lever of X.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kleinste Quadrate gelten dem, was gemessen wurde, und nicht A X = Z B selbst: Eine Abweichung einer Drehung zählt mit ihrem eigenen u und nicht mit dem Hebel von X.</translation>
     </message>
     <message>
         <source>Errors of the arm are taken to be independent from pose to pose; an arm that is wrong by its parameters shows larger residuals, and an identified robot is the better way.</source>
-        <translation type="unfinished"></translation>
+        <translation>Abweichungen des Arms gelten als von Pose zu Pose unabhängig; ein Arm mit falschen Parametern zeigt größere Residuen, und ein identifizierter Roboter ist der bessere Weg.</translation>
     </message>
     <message>
         <source>Where all turns of the flange are about one direction, the position along it is not told and named.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wo alle Drehungen des Flansches um dieselbe Richtung gehen, bleibt die Position entlang dieser unbestimmt und wird genannt.</translation>
     </message>
     <message>
         <source>The flange carries</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Flansch trägt</translation>
     </message>
     <message>
         <source>The instrument (a camera on the hand), which measures a target that stands still. Or the target, which an instrument that stands still measures.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Messgerät (eine Kamera an der Hand), das ein still stehendes Ziel misst. Oder das Ziel, das ein still stehendes Messgerät misst.</translation>
     </message>
     <message>
         <source>the instrument</source>
-        <translation type="unfinished"></translation>
+        <translation>das Messgerät</translation>
     </message>
     <message>
         <source>the target</source>
-        <translation type="unfinished"></translation>
+        <translation>das Ziel</translation>
     </message>
     <message>
         <source>Poses of the flange, and where the instrument saw the target in each.</source>
-        <translation type="unfinished"></translation>
+        <translation>Posen des Flansches und wo das Messgerät das Ziel in jeder sah.</translation>
     </message>
     <message>
         <source>fit: taken into the fit. check: held back, to see how well the result tells it. Empty: fit.</source>
-        <translation type="unfinished"></translation>
+        <translation>fit (Anpassung): geht in die Anpassung ein. check (Prüfung): zurückgehalten, um zu sehen, wie gut das Ergebnis sie vorhersagt. Leer: fit.</translation>
     </message>
     <message>
         <source>Coordinate x of the flange in the frame of the robot&apos;s base, as the controller says.</source>
-        <translation type="unfinished"></translation>
+        <translation>Koordinate x des Flansches im System der Basis des Roboters, wie die Steuerung sie nennt.</translation>
     </message>
     <message>
         <source>Coordinate y of the flange in the frame of the robot&apos;s base, as the controller says.</source>
-        <translation type="unfinished"></translation>
+        <translation>Koordinate y des Flansches im System der Basis des Roboters, wie die Steuerung sie nennt.</translation>
     </message>
     <message>
         <source>Coordinate z of the flange in the frame of the robot&apos;s base, as the controller says.</source>
-        <translation type="unfinished"></translation>
+        <translation>Koordinate z des Flansches im System der Basis des Roboters, wie die Steuerung sie nennt.</translation>
     </message>
     <message>
         <source>Angle of the flange&apos;s orientation, R = Rz(gamma) Ry(beta) Rx(alpha): W, P, R of some controllers, C, B, A of others.</source>
-        <translation type="unfinished"></translation>
+        <translation>Winkel der Orientierung des Flansches, R = Rz(gamma) Ry(beta) Rx(alpha): W, P, R mancher Steuerungen, C, B, A anderer.</translation>
     </message>
     <message>
         <source>Coordinate of the target in the frame of the instrument, as measured.</source>
-        <translation type="unfinished"></translation>
+        <translation>Koordinate des Ziels im System des Messgeräts, wie gemessen.</translation>
     </message>
     <message>
         <source>Angle of the target&apos;s orientation in the frame of the instrument, composed likewise; empty in all rows where points alone are measured.</source>
-        <translation type="unfinished"></translation>
+        <translation>Winkel der Orientierung des Ziels im System des Messgeräts, ebenso zusammengesetzt; leer in allen Zeilen, wo nur Punkte gemessen werden.</translation>
     </message>
     <message>
         <source>Measured positions</source>
-        <translation type="unfinished"></translation>
+        <translation>Gemessene Positionen</translation>
     </message>
     <message>
         <source>Standard uncertainty of each measured coordinate, independent.</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheit jeder gemessenen Koordinate, unabhängig.</translation>
     </message>
     <message>
         <source>Measured orientations</source>
-        <translation type="unfinished"></translation>
+        <translation>Gemessene Orientierungen</translation>
     </message>
     <message>
         <source>Standard uncertainty of the measured rotation about each axis of the target, independent.</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheit der gemessenen Drehung um jede Achse des Ziels, unabhängig.</translation>
     </message>
     <message>
         <source>Positions of the flange</source>
-        <translation type="unfinished"></translation>
+        <translation>Positionen des Flansches</translation>
     </message>
     <message>
         <source>Standard uncertainty of each coordinate of the flange, independent in each pose: repeatability, errors of the arm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheit jeder Koordinate des Flansches, in jeder Pose unabhängig: Wiederholpräzision, Abweichungen des Arms.</translation>
     </message>
     <message>
         <source>Orientations of the flange</source>
-        <translation type="unfinished"></translation>
+        <translation>Orientierungen des Flansches</translation>
     </message>
     <message>
         <source>Standard uncertainty of the rotation about each axis of the flange, independent in each pose.</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheit der Drehung um jede Achse des Flansches, in jeder Pose unabhängig.</translation>
     </message>
     <message>
         <source>Where a camera is on the flange, or a tracker beside the robot.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wo eine Kamera am Flansch ist oder ein Tracker neben dem Roboter steht.</translation>
     </message>
     <message>
         <source>A camera on the hand of a robot, a tracker beside it</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Kamera an der Hand eines Roboters, ein Tracker neben ihm</translation>
     </message>
     <message>
         <source>Where a camera is on the flange and a board in the cell, and where a tracker stands and a reflector is on the flange.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wo eine Kamera am Flansch und eine Kalibriertafel in der Zelle ist, und wo ein Tracker steht und ein Reflektor am Flansch ist.</translation>
     </message>
     <message>
         <source>orientations of the flange</source>
-        <translation type="unfinished"></translation>
+        <translation>Orientierungen des Flansches</translation>
     </message>
     <message>
         <source>positions of the flange</source>
-        <translation type="unfinished"></translation>
+        <translation>Positionen des Flansches</translation>
     </message>
     <message>
         <source>these poses hardly tell %1 apart (condition %2): turn the flange further, about other axes</source>
-        <translation type="unfinished"></translation>
+        <translation>diese Posen trennen %1 kaum (Kondition %2): den Flansch weiter drehen, um andere Achsen</translation>
     </message>
     <message>
         <source>pose %1: a residual is %2 times its standard uncertainty (limit %3). Look at this pose first; hold it back by use = check</source>
-        <translation type="unfinished"></translation>
+        <translation>Pose %1: ein Residuum ist das %2-fache seiner Standardunsicherheit (Grenze %3). Diese Pose zuerst ansehen; mit use = check zurückhalten</translation>
     </message>
     <message>
         <source>the residuals are %1 times as large as the stated uncertainties explain: errors of the arm, of the instrument, an outlier; X and Z are then less certain than stated</source>
-        <translation type="unfinished"></translation>
+        <translation>die Residuen sind %1-mal so groß, wie die angegebenen Unsicherheiten erklären: Abweichungen des Arms, des Messgeräts, ein Ausreißer; X und Z sind dann weniger sicher als angegeben</translation>
     </message>
     <message>
         <source>the fit does not converge: look for exchanged poses, angles in another order or unit, and for what the flange carries</source>
-        <translation type="unfinished"></translation>
+        <translation>die Ausgleichung konvergiert nicht: nach vertauschten Posen und nach Winkeln in anderer Reihenfolge oder Einheit suchen und prüfen, was der Flansch trägt</translation>
     </message>
     <message>
         <source>at the solution X and Z cannot be told apart</source>
-        <translation type="unfinished"></translation>
+        <translation>an der Lösung sind X und Z nicht zu trennen</translation>
     </message>
     <message>
         <source>E_n = |d|/U: below 1 the pose agrees with the calibration.</source>
-        <translation type="unfinished"></translation>
+        <translation>E_n = |d|/U: unter 1 stimmt die Pose mit der Kalibrierung überein.</translation>
     </message>
     <message>
         <source>instrument in the frame of the flange</source>
-        <translation type="unfinished"></translation>
+        <translation>Messgerät im System des Flansches</translation>
     </message>
     <message>
         <source>target in the frame of the base</source>
-        <translation type="unfinished"></translation>
+        <translation>Ziel im System der Basis</translation>
     </message>
     <message>
         <source>target in the frame of the flange</source>
-        <translation type="unfinished"></translation>
+        <translation>Ziel im System des Flansches</translation>
     </message>
     <message>
         <source>instrument in the frame of the base</source>
-        <translation type="unfinished"></translation>
+        <translation>Messgerät im System der Basis</translation>
     </message>
     <message>
         <source>instrument %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Messgerät %1</translation>
     </message>
     <message>
         <source>start: linear in both rotations, then in both positions</source>
-        <translation type="unfinished"></translation>
+        <translation>Startwert: linear in beiden Drehungen, dann in beiden Positionen</translation>
     </message>
     <message>
         <source>the fit has %1 poses; it needs %2 or more</source>
-        <translation type="unfinished"></translation>
+        <translation>die Ausgleichung hat %1 Posen; sie braucht %2 oder mehr</translation>
     </message>
     <message>
         <source>pose %1: its measured orientation is missing; give alpha_m, beta_m and gamma_m of every pose, or of none</source>
-        <translation type="unfinished"></translation>
+        <translation>Pose %1: die gemessene Orientierung fehlt; alpha_m, beta_m und gamma_m jeder Pose angeben oder keiner</translation>
     </message>
     <message>
         <source>measured pose</source>
-        <translation type="unfinished"></translation>
+        <translation>gemessene Pose</translation>
     </message>
     <message>
         <source>pose of the flange</source>
-        <translation type="unfinished"></translation>
+        <translation>Pose des Flansches</translation>
     </message>
     <message>
         <source>pose %1, %2, rotation about %3</source>
-        <translation type="unfinished"></translation>
+        <translation>Pose %1, %2, Drehung um %3</translation>
     </message>
     <message>
         <source>pose %1, %2, %3</source>
-        <translation type="unfinished"></translation>
+        <translation>Pose %1, %2, %3</translation>
     </message>
     <message>
         <source>measured poses</source>
-        <translation type="unfinished"></translation>
+        <translation>gemessene Posen</translation>
     </message>
     <message>
         <source>poses of the flange</source>
-        <translation type="unfinished"></translation>
+        <translation>Posen des Flansches</translation>
+    </message>
+    <message>
+        <source>The residuals of more than %1 readings are not divided between their figures: uncertainties stay as stated; one factor for all of them can be had</source>
+        <translation>Die Residuen von mehr als %1 Ablesungen werden nicht auf ihre Angaben aufgeteilt: Unsicherheiten bleiben wie angegeben; ein einziger Faktor für alle ist möglich</translation>
+    </message>
+    <message>
+        <source>the readings contradict each other so much that the search for the places of the points went astray: look for exchanged or mistyped readings, for a unit or the sense of angles that was mixed up, and for coordinates that are far off</source>
+        <translation>die Ablesungen widersprechen einander so sehr, dass die Suche nach den Orten der Punkte in die Irre ging: nach vertauschten oder vertippten Ablesungen suchen, nach einer verwechselten Einheit oder einem verwechselten Drehsinn der Winkel und nach Koordinaten, die weit daneben liegen</translation>
+    </message>
+    <message>
+        <source>the readings agree if %1 are feet that were typed as m</source>
+        <translation>die Ablesungen stimmen überein, wenn %1 Fuß sind, die als m eingegeben wurden</translation>
+    </message>
+    <message>
+        <source>the readings agree if the %1 is in mm and was typed as m</source>
+        <translation>die Ablesungen stimmen überein, wenn %1 in mm ist und als m eingegeben wurde</translation>
+    </message>
+    <message>
+        <source>the readings agree if angles grow the other way round: the sense of angles, clockwise or counter-clockwise, is probably the other one, or x and y are exchanged</source>
+        <translation>die Ablesungen stimmen überein, wenn Winkel andersherum wachsen: der Drehsinn der Winkel, im Uhrzeigersinn oder dagegen, ist wahrscheinlich der andere, oder x und y sind vertauscht</translation>
+    </message>
+    <message>
+        <source>the readings agree if the coordinates of %1 are mm that were typed as m</source>
+        <translation>die Ablesungen stimmen überein, wenn die Koordinaten von %1 mm sind, die als m eingegeben wurden</translation>
+    </message>
+    <message>
+        <source>the readings agree if the coordinates of %1 are feet that were typed as m</source>
+        <translation>die Ablesungen stimmen überein, wenn die Koordinaten von %1 Fuß sind, die als m eingegeben wurden</translation>
+    </message>
+    <message>
+        <source>all points</source>
+        <translation>allen Punkten</translation>
+    </message>
+    <message>
+        <source>the known points</source>
+        <translation>den bekannten Punkten</translation>
+    </message>
+    <message>
+        <source>lengths in mm that were typed as m</source>
+        <translation>Längen in mm, die als m eingegeben wurden</translation>
+    </message>
+    <message>
+        <source>coordinates in mm that were typed as m</source>
+        <translation>Koordinaten in mm, die als m eingegeben wurden</translation>
+    </message>
+    <message>
+        <source>lengths in feet that were typed as m</source>
+        <translation>Längen in Fuß, die als m eingegeben wurden</translation>
+    </message>
+    <message>
+        <source>coordinates in feet that were typed as m</source>
+        <translation>Koordinaten in Fuß, die als m eingegeben wurden</translation>
+    </message>
+    <message>
+        <source>the readings draw a network %1 times as large as the approximate coordinates of the datum do: look for %2</source>
+        <translation>die Ablesungen zeichnen ein Netz, das %1-mal so groß ist wie das der Näherungskoordinaten des Datums: zu suchen sind %2</translation>
+    </message>
+    <message>
+        <source>the readings draw a network %1 times as large as the approximate coordinates of the datum do: look for a wrong unit or scale</source>
+        <translation>die Ablesungen zeichnen ein Netz, das %1-mal so groß ist wie das der Näherungskoordinaten des Datums: nach einer falschen Einheit oder einem falschen Maßstab suchen</translation>
+    </message>
+    <message>
+        <source>the approximate coordinates of the datum agree with the readings if those of %1 and %2 are exchanged</source>
+        <translation>die Näherungskoordinaten des Datums stimmen mit den Ablesungen überein, wenn die von %1 und %2 vertauscht werden</translation>
+    </message>
+    <message>
+        <source>the approximate coordinates of the datum agree with the readings but for those of %1: look for a mistyped one</source>
+        <translation>die Näherungskoordinaten des Datums stimmen bis auf die von %1 mit den Ablesungen überein: nach einer vertippten suchen</translation>
+    </message>
+    <message>
+        <source>the readings draw the mirror image of what the approximate coordinates of the datum do: the sense of angles, clockwise or counter-clockwise, is probably the other one, or x and y are exchanged</source>
+        <translation>die Ablesungen zeichnen das Spiegelbild dessen, was die Näherungskoordinaten des Datums zeichnen: der Drehsinn der Winkel, im Uhrzeigersinn oder dagegen, ist wahrscheinlich der andere, oder x und y sind vertauscht</translation>
+    </message>
+    <message>
+        <source>the readings draw the mirror image of what the approximate coordinates of the datum do: x and y are probably exchanged</source>
+        <translation>die Ablesungen zeichnen das Spiegelbild dessen, was die Näherungskoordinaten des Datums zeichnen: x und y sind wahrscheinlich vertauscht</translation>
+    </message>
+    <message>
+        <source>distances alone do not tell the network of %1 from its mirror image: state approximate coordinates of four of its points that are not all in a plane</source>
+        <translation>Distanzen allein unterscheiden das Netz von %1 nicht von seinem Spiegelbild: Näherungskoordinaten von vier seiner Punkte angeben, die nicht alle in einer Ebene liegen</translation>
+    </message>
+    <message>
+        <source>the distances fit as well where %1 are mirrored in the plane of %2: state an approximate coordinate that tells the side, or add a reading that does</source>
+        <translation>die Distanzen passen ebenso, wenn %1 an der Ebene von %2 gespiegelt sind: eine Näherungskoordinate angeben, die die Seite zeigt, oder eine Ablesung hinzufügen, die es tut</translation>
+    </message>
+    <message>
+        <source>the distances fit as well with %1 on the other side of the plane of %2, at (%3, %4, %5) m: state an approximate coordinate that tells the side, or add a reading that does</source>
+        <translation>die Distanzen passen ebenso mit %1 auf der anderen Seite der Ebene von %2, bei (%3, %4, %5) m: eine Näherungskoordinate angeben, die die Seite zeigt, oder eine Ablesung hinzufügen, die es tut</translation>
+    </message>
+    <message>
+        <source>%1 lies so near to the plane of %2 that the distances hardly tell how far from it: %3 m, with u = %4 m, which is no more than its order: add a reading to %1 from outside of the plane, or one of its height</source>
+        <translation>%1 liegt so nahe an der Ebene von %2, dass die Distanzen kaum zeigen, wie weit davon entfernt: %3 m, mit u = %4 m, was nur die Größenordnung angibt: eine Ablesung zu %1 von außerhalb der Ebene oder eine seiner Höhe hinzufügen</translation>
+    </message>
+    <message>
+        <source>and %1 more points with a mirror image that fits as well</source>
+        <translation>und %1 weitere Punkte mit einem Spiegelbild, das ebenso passt</translation>
+    </message>
+    <message>
+        <source>changes no reading</source>
+        <translation>ändert keine Ablesung</translation>
+    </message>
+    <message>
+        <source>the fit does not converge: look for exchanged poses, readings of the wrong sign or in another unit, a base far from where the robot says it stands, and for a nominal robot that is another arm</source>
+        <translation>die Ausgleichung konvergiert nicht: nach vertauschten Posen, Ablesungen mit falschem Vorzeichen oder in anderer Einheit suchen, nach einer Basis weit von dort, wo sie laut Roboter steht, und nach einem Nennroboter, der ein anderer Arm ist</translation>
+    </message>
+    <message>
+        <source>The readings hardly tell the scale: all lengths may be larger by one factor. %1 takes part with its nominal value, as uncertain as the nominal robot states</source>
+        <translation>Die Ablesungen zeigen den Maßstab kaum: alle Längen können um einen Faktor größer sein. %1 geht mit dem Nennwert ein, so unsicher, wie der Nennroboter es angibt</translation>
+    </message>
+    <message>
+        <source>The readings do not tell the scale: all lengths may be larger by one factor. %1 is held at its nominal value, of which the nominal robot states no uncertainty: the other lengths are no more certain than it is</source>
+        <translation>Die Ablesungen zeigen den Maßstab nicht: alle Längen können um einen Faktor größer sein. %1 wird beim Nennwert gehalten, für den der Nennroboter keine Unsicherheit angibt: die anderen Längen sind nicht sicherer als dieser</translation>
+    </message>
+    <message>
+        <source>%1. A length that is known gives the scale: distances between poses, or from several known points</source>
+        <translation>%1. Eine bekannte Länge gibt den Maßstab: Abstände zwischen Posen oder von mehreren bekannten Punkten</translation>
+    </message>
+    <message>
+        <source>nominal %1</source>
+        <translation>Nennwert von %1</translation>
+    </message>
+    <message>
+        <source>pose %1 lacks its reading %2, which other poses have</source>
+        <translation>Pose %1 fehlt die Ablesung %2, die andere Posen haben</translation>
+    </message>
+    <message>
+        <source>at most %1 %2 are taken</source>
+        <translation>höchstens %1 %2 sind möglich</translation>
+    </message>
+    <message>
+        <source>balls and reflectors</source>
+        <translation>Kugeln und Reflektoren</translation>
+    </message>
+    <message>
+        <source>points and planes</source>
+        <translation>Punkte und Ebenen</translation>
+    </message>
+    <message>
+        <source>a ball on the arm is called %1, too</source>
+        <translation>eine Kugel am Arm heißt ebenfalls %1</translation>
+    </message>
+    <message>
+        <source>zeros</source>
+        <translation>Nullpunkte</translation>
+    </message>
+    <message>
+        <source>nominal robot</source>
+        <translation>Nennroboter</translation>
     </message>
 </context>
 <context>

@@ -20110,671 +20110,811 @@ nu 18 detrás de cualquiera de ellos: grados de libertad</translation>
     </message>
     <message>
         <source>Robot from distances, planes and balls</source>
-        <translation type="unfinished"></translation>
+        <translation>Robot a partir de distancias, planos y bolas</translation>
     </message>
     <message>
         <source>Geometric parameters of a robot by least squares from distances, touched planes, distances between poses and positions of reflectors, without measured poses.</source>
-        <translation type="unfinished"></translation>
+        <translation>Parámetros geométricos de un robot por mínimos cuadrados a partir de distancias, planos tocados, distancias entre poses y posiciones de reflectores, sin poses medidas.</translation>
     </message>
     <message>
         <source>Unknowns that the readings cannot tell are found by their columns of the Jacobian: each that is a combination of those before it (base, places, zeros, targets, then joint by joint, then compliances) stays as stated and is named with its partners.</source>
-        <translation type="unfinished"></translation>
+        <translation>Las incógnitas que las lecturas no pueden revelar se hallan por sus columnas de la jacobiana: cada una que sea combinación de las anteriores (base, lugares, ceros, dianas, después articulación por articulación, después flexibilidades) queda como se indicó y se nombra junto con sus asociadas.</translation>
     </message>
     <message>
         <source>Touched planes that are themselves found tell no lengths: an arm and its surroundings that are larger by one factor touch planes that are further away by it. One known distance gives the scale.</source>
-        <translation type="unfinished"></translation>
+        <translation>Los planos tocados que a su vez se hallan no revelan longitudes: un brazo que, con su entorno, es mayor por un factor toca planos más lejanos por ese mismo factor. Una distancia conocida da la escala.</translation>
     </message>
     <message>
         <source>Weights are the inverse variances of the readings. What readings share (the scale of the distances, an instrument&apos;s station, readings of the joints, known places) does not change the weights, but is propagated in full.</source>
-        <translation type="unfinished"></translation>
+        <translation>Los pesos son las inversas de las varianzas de las lecturas. Lo que comparten las lecturas (la escala de las distancias, la estación de un instrumento, las lecturas de las articulaciones, los lugares conocidos) no cambia los pesos, pero se propaga por completo.</translation>
     </message>
     <message>
         <source>The identified robot stands where its base was found; compliances are reported and not part of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>El robot identificado está donde se halló su base; las flexibilidades se informan y no forman parte de él.</translation>
     </message>
     <message>
         <source>In each trial the gain of the estimates is used. It differs from a complete fit by residual times curvature.</source>
-        <translation type="unfinished"></translation>
+        <translation>En cada prueba se usa la ganancia de las estimaciones. Difiere de un ajuste completo en el residuo por la curvatura.</translation>
     </message>
     <message>
         <source>The arm as designed: start of the fit, values of what the readings cannot tell, uncertainty of the readings of its joints, and the arm of a plan.</source>
-        <translation type="unfinished"></translation>
+        <translation>El brazo según su diseño: inicio del ajuste, valores de lo que las lecturas no pueden revelar, incertidumbre de las lecturas de sus articulaciones, y el brazo de un plan.</translation>
     </message>
     <message>
         <source>Readings are</source>
-        <translation type="unfinished"></translation>
+        <translation>Origen de las lecturas</translation>
     </message>
     <message>
         <source>Measured. Or a plan: readings are those of the nominal robot, to see what an experiment would give.</source>
-        <translation type="unfinished"></translation>
+        <translation>Medición. O un plan: las lecturas son las del robot nominal, para ver qué daría un experimento.</translation>
     </message>
     <message>
         <source>a plan</source>
-        <translation type="unfinished"></translation>
+        <translation>un plan</translation>
     </message>
     <message>
         <source>Balls and reflectors</source>
-        <translation type="unfinished"></translation>
+        <translation>Bolas y reflectores</translation>
     </message>
     <message>
         <source>What is measured on the last link.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lo que se mide en el último eslabón.</translation>
     </message>
     <message>
         <source>Coordinate x in the frame of the last link; of one that is found: about.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada x en el sistema del último eslabón; si se halla en el ajuste: aproximada.</translation>
     </message>
     <message>
         <source>Coordinate y in the frame of the last link; of one that is found: about.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada y en el sistema del último eslabón; si se halla en el ajuste: aproximada.</translation>
     </message>
     <message>
         <source>Coordinate z in the frame of the last link; of one that is found: about.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada z en el sistema del último eslabón; si se halla en el ajuste: aproximada.</translation>
     </message>
     <message>
         <source>place is</source>
-        <translation type="unfinished"></translation>
+        <translation>lugar</translation>
     </message>
     <message>
         <source>Found by the fit, or known. Empty: found.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hallado en el ajuste, o conocido. Vacío: hallado.</translation>
     </message>
     <message>
         <source>known</source>
-        <translation type="unfinished"></translation>
+        <translation>conocido</translation>
     </message>
     <message>
         <source>Standard uncertainty of each coordinate, where it is known.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre típica de cada coordenada, donde el lugar es conocido.</translation>
     </message>
     <message>
         <source>Points and planes</source>
-        <translation type="unfinished"></translation>
+        <translation>Puntos y planos</translation>
     </message>
     <message>
         <source>What distances are measured from.</source>
-        <translation type="unfinished"></translation>
+        <translation>Desde dónde se miden las distancias.</translation>
     </message>
     <message>
         <source>is a</source>
-        <translation type="unfinished"></translation>
+        <translation>es un</translation>
     </message>
     <message>
         <source>A point: the centre of a ball, a wire&apos;s or a distance meter&apos;s zero. Or a plane.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un punto: el centro de una bola, el cero de un hilo o de un distanciómetro. O un plano.</translation>
     </message>
     <message>
         <source>Coordinate x in the measuring frame, of the point or of any point of the plane; may be empty where it is found.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada x en el sistema de la medición, del punto o de un punto cualquiera del plano; puede quedar vacía donde se halla en el ajuste.</translation>
     </message>
     <message>
         <source>Coordinate y in the measuring frame, of the point or of any point of the plane; may be empty where it is found.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada y en el sistema de la medición, del punto o de un punto cualquiera del plano; puede quedar vacía donde se halla en el ajuste.</translation>
     </message>
     <message>
         <source>Coordinate z in the measuring frame, of the point or of any point of the plane; may be empty where it is found.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada z en el sistema de la medición, del punto o de un punto cualquiera del plano; puede quedar vacía donde se halla en el ajuste.</translation>
     </message>
     <message>
         <source>Coordinate x of the normal of a plane, to the side on which distances are positive; may be empty where it is found.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada x de la normal de un plano, hacia el lado en el que las distancias son positivas; puede quedar vacía donde el plano se halla en el ajuste.</translation>
     </message>
     <message>
         <source>Coordinate y of the normal of a plane, to the side on which distances are positive; may be empty where it is found.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada y de la normal de un plano, hacia el lado en el que las distancias son positivas; puede quedar vacía donde el plano se halla en el ajuste.</translation>
     </message>
     <message>
         <source>Coordinate z of the normal of a plane, to the side on which distances are positive; may be empty where it is found.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada z de la normal de un plano, hacia el lado en el que las distancias son positivas; puede quedar vacía donde el plano se halla en el ajuste.</translation>
     </message>
     <message>
         <source>Found by the fit, or known. Empty: known.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hallado en el ajuste, o conocido. Vacío: conocido.</translation>
     </message>
     <message>
         <source>Standard uncertainty of each coordinate of a known point, or of a known plane along its normal.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre típica de cada coordenada de un punto conocido, o de un plano conocido a lo largo de su normal.</translation>
     </message>
     <message>
         <source>Readings of the joints.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lecturas de las articulaciones.</translation>
     </message>
     <message>
         <source>Torque of the load about the axis of joint 1, where compliances are found; empty: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>Par de la carga en torno al eje de la articulación 1, donde se hallan flexibilidades; vacío: ninguno.</translation>
     </message>
     <message>
         <source>Torque of the load about the axis of joint 2, where compliances are found; empty: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>Par de la carga en torno al eje de la articulación 2, donde se hallan flexibilidades; vacío: ninguno.</translation>
     </message>
     <message>
         <source>Torque of the load about the axis of joint 3, where compliances are found; empty: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>Par de la carga en torno al eje de la articulación 3, donde se hallan flexibilidades; vacío: ninguno.</translation>
     </message>
     <message>
         <source>Torque of the load about the axis of joint 4, where compliances are found; empty: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>Par de la carga en torno al eje de la articulación 4, donde se hallan flexibilidades; vacío: ninguno.</translation>
     </message>
     <message>
         <source>Torque of the load about the axis of joint 5, where compliances are found; empty: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>Par de la carga en torno al eje de la articulación 5, donde se hallan flexibilidades; vacío: ninguno.</translation>
     </message>
     <message>
         <source>Torque of the load about the axis of joint 6, where compliances are found; empty: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>Par de la carga en torno al eje de la articulación 6, donde se hallan flexibilidades; vacío: ninguno.</translation>
     </message>
     <message>
         <source>Torque of the load about the axis of joint 7, where compliances are found; empty: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>Par de la carga en torno al eje de la articulación 7, donde se hallan flexibilidades; vacío: ninguno.</translation>
     </message>
     <message>
         <source>Distances of a target in one pose from a point, a plane, or its place in another pose: laser tracer, wire sensors, ballbar, dial gauge, probe on a ball plate.</source>
-        <translation type="unfinished"></translation>
+        <translation>Distancias de una diana en una pose a un punto, a un plano o a su lugar en otra pose: trazador láser, sensores de hilo, ballbar, reloj comparador, palpador en una placa de bolas.</translation>
     </message>
     <message>
         <source>Name of the pose in which the arm stood.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nombre de la pose en la que estaba el brazo.</translation>
     </message>
     <message>
         <source>Name of the ball or reflector that was measured. Empty: the first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nombre de la bola o del reflector que se midió. Vacío: el primer elemento de la tabla.</translation>
     </message>
     <message>
         <source>from a</source>
-        <translation type="unfinished"></translation>
+        <translation>desde</translation>
     </message>
     <message>
         <source>Distance of the target from a point; from a plane, on the side of its normal; or from where the same target is in another pose.</source>
-        <translation type="unfinished"></translation>
+        <translation>Distancia de la diana a un punto; a un plano, por el lado de su normal; o a donde está la misma diana en otra pose.</translation>
     </message>
     <message>
         <source>called</source>
-        <translation type="unfinished"></translation>
+        <translation>de nombre</translation>
     </message>
     <message>
         <source>Name of the point, the plane or the other pose.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nombre del punto, del plano o de la otra pose.</translation>
     </message>
     <message>
         <source>Measured distance; 0 where the ball touches the plane. Not needed of a plan.</source>
-        <translation type="unfinished"></translation>
+        <translation>Distancia medida; 0 donde la bola toca el plano. No hace falta en un plan de medición.</translation>
     </message>
     <message>
         <source>Standard uncertainty of this distance. Empty: that of all distances.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre típica de esta distancia. Vacío: la de todas las distancias.</translation>
     </message>
     <message>
         <source>Name of an unknown that all distances of that name contain: zero of a wire sensor, length of a ballbar, radius of a ball. Empty: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nombre de una incógnita que contienen todas las distancias de ese nombre: cero de un sensor de hilo, longitud de un ballbar, radio de una bola. Vacío: ninguna.</translation>
     </message>
     <message>
         <source>fit: taken into the fit. check: held back, to see how well the identified arm tells it. Empty: fit.</source>
-        <translation type="unfinished"></translation>
+        <translation>fit (ajuste): entra en el ajuste. check (comprobación): se reserva, para ver con qué acierto la predice el brazo identificado. Vacío: fit.</translation>
     </message>
     <message>
         <source>Standard uncertainty of a distance</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre típica de una distancia</translation>
     </message>
     <message>
         <source>Of each distance that states none of its own, independent of all others.</source>
-        <translation type="unfinished"></translation>
+        <translation>De cada distancia que no indica una propia, independiente de todas las demás.</translation>
     </message>
     <message>
         <source>Relative standard uncertainty of their scale</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre típica relativa de su escala</translation>
     </message>
     <message>
         <source>All distances from points and between poses share it: the length standard, its temperature.</source>
-        <translation type="unfinished"></translation>
+        <translation>La comparten todas las distancias a puntos y entre poses: el patrón de longitud, su temperatura.</translation>
     </message>
     <message>
         <source>Positions</source>
-        <translation type="unfinished"></translation>
+        <translation>Posiciones</translation>
     </message>
     <message>
         <source>Coordinates of targets that an instrument measured, one or more targets in a pose.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenadas de dianas que midió un instrumento, una o varias dianas en una pose.</translation>
     </message>
     <message>
         <source>Measured coordinate x in the measuring frame. Not needed of a plan.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada medida x en el sistema de la medición. No hace falta en un plan de medición.</translation>
     </message>
     <message>
         <source>Measured coordinate y in the measuring frame. Not needed of a plan.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada medida y en el sistema de la medición. No hace falta en un plan de medición.</translation>
     </message>
     <message>
         <source>Measured coordinate z in the measuring frame. Not needed of a plan.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada medida z en el sistema de la medición. No hace falta en un plan de medición.</translation>
     </message>
     <message>
         <source>Found by the fit: points, planes and the instrument stand anywhere. Known: the base stands where the robot says it stands, and places are given or found relative to it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hallado en el ajuste: los puntos, los planos y el instrumento están en cualquier sitio. Conocido: la base está donde el robot indica que está, y los lugares se dan o se hallan respecto a ella.</translation>
     </message>
     <message>
         <source>Compliance of the joints</source>
-        <translation type="unfinished"></translation>
+        <translation>Flexibilidad de las articulaciones</translation>
     </message>
     <message>
         <source>Found: each joint gives way in proportion to the torque of the load about it. Not in the model.</source>
-        <translation type="unfinished"></translation>
+        <translation>Se halla: cada articulación cede en proporción al par de la carga en torno a su eje. No está en el modelo.</translation>
     </message>
     <message>
         <source>not in the model</source>
-        <translation type="unfinished"></translation>
+        <translation>no está en el modelo</translation>
     </message>
     <message>
         <source>Parameters that stay nominal although the readings could tell them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Parámetros que siguen siendo nominales aunque las lecturas podrían revelarlos.</translation>
     </message>
     <message>
         <source>As stated; or as the residuals of this fit see them: stated ones times one common factor, or times the factor of each figure (variance components). Either has the degrees of freedom of its estimate. What all readings share stays as stated.</source>
-        <translation type="unfinished"></translation>
+        <translation>Las indicadas; o las que ven los residuos de este ajuste: las indicadas por un factor común, o por el factor de cada cifra (componentes de varianza). Ambas tienen los grados de libertad de su estimación. Lo que comparten todas las lecturas queda como se indicó.</translation>
     </message>
     <message>
         <source>Parameters of an arm from what can be measured without poses.</source>
-        <translation type="unfinished"></translation>
+        <translation>Parámetros de un brazo a partir de lo que se puede medir sin poses.</translation>
     </message>
     <message>
         <source>A robot identified without poses</source>
-        <translation type="unfinished"></translation>
+        <translation>Un robot identificado sin poses</translation>
     </message>
     <message>
         <source>An arm of six joints from what can be measured without poses: distances from points, touched planes with distances between poses, positions of reflectors.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un brazo de seis articulaciones a partir de lo que se puede medir sin poses: distancias a puntos, planos tocados con distancias entre poses, posiciones de reflectores.</translation>
     </message>
     <message>
         <source>distances from points</source>
-        <translation type="unfinished"></translation>
+        <translation>distancias a puntos</translation>
     </message>
     <message>
         <source>distances from planes</source>
-        <translation type="unfinished"></translation>
+        <translation>distancias a planos</translation>
     </message>
     <message>
         <source>%1: the residual is %2 times its standard uncertainty (limit %3). Look at this reading first; hold it back by use = check</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: el residuo es %2 veces su incertidumbre típica (límite %3). Mire primero esta lectura; resérvela con use = check</translation>
     </message>
     <message>
         <source>the residuals are %1 times as large as the uncertainties of the readings explain: there is more than these (a joint&apos;s elasticity, temperature, an outlier), and the uncertainty of the parameters is stated too small</source>
-        <translation type="unfinished"></translation>
+        <translation>los residuos son %1 veces mayores de lo que explican las incertidumbres de las lecturas: hay algo más (elasticidad de una articulación, temperatura, un valor atípico), y la incertidumbre de los parámetros se indica demasiado pequeña</translation>
     </message>
     <message>
         <source>no parameter of the arm can be told from these readings: every one of them is coupled with others or held</source>
-        <translation type="unfinished"></translation>
+        <translation>con estas lecturas no se puede hallar ningún parámetro del brazo: cada uno está acoplado con otros o fijado</translation>
     </message>
     <message>
         <source>the fit has %1 readings, no more than there are unknowns to find (%2): measure more, or hold parameters</source>
-        <translation type="unfinished"></translation>
+        <translation>el ajuste tiene %1 lecturas, no más que incógnitas por hallar (%2): mida más, o fije parámetros</translation>
     </message>
     <message>
         <source>gives the scale, which the readings do not tell: all lengths of the arm may be larger by one factor</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>these readings do not tell the scale: all lengths of the arm, and how far away the planes are, may be larger by one factor. %1 is held at its nominal value, the other lengths are as certain as it is; a distance between two poses or from a known point gives the scale</source>
-        <translation type="unfinished"></translation>
+        <translation>da la escala, que las lecturas no revelan: todas las longitudes del brazo pueden ser mayores por un mismo factor</translation>
     </message>
     <message>
         <source>%1: calculated less measured, held back</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: calculada menos medida, reservada</translation>
     </message>
     <message>
         <source>compliance of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>flexibilidad de %1</translation>
     </message>
     <message>
         <source>zero %1</source>
-        <translation type="unfinished"></translation>
+        <translation>cero %1</translation>
     </message>
     <message>
         <source>distance of plane %1 from the origin</source>
-        <translation type="unfinished"></translation>
+        <translation>distancia del plano %1 al origen</translation>
     </message>
     <message>
         <source>distance from a point, from another pose</source>
-        <translation type="unfinished"></translation>
+        <translation>distancia a un punto, a otra pose</translation>
     </message>
     <message>
         <source>distance from a plane, 0 where it is touched</source>
-        <translation type="unfinished"></translation>
+        <translation>distancia a un plano, 0 donde se toca</translation>
     </message>
     <message>
         <source>where compliances are found</source>
-        <translation type="unfinished"></translation>
+        <translation>donde se hallan flexibilidades</translation>
     </message>
     <message>
         <source>JCGM 102 6.2, with all that readings share</source>
-        <translation type="unfinished"></translation>
+        <translation>JCGM 102 6.2, con todo lo que comparten las lecturas</translation>
     </message>
     <message>
         <source>nothing is measured: give distances or positions</source>
-        <translation type="unfinished"></translation>
+        <translation>no se mide nada: dé distancias o posiciones</translation>
     </message>
     <message>
         <source>two of them are called %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>at most %1 of them are taken, and there are %2</source>
-        <translation type="unfinished"></translation>
+        <translation>dos de la tabla se llaman %1</translation>
     </message>
     <message>
         <source>a plan must say where %1 is: give %2</source>
-        <translation type="unfinished"></translation>
+        <translation>un plan debe decir dónde está %1: dé %2</translation>
     </message>
     <message>
         <source>%1 is known, but where it is is not said: give %2, or let the fit find it</source>
-        <translation type="unfinished"></translation>
+        <translation>se dice que %1 es de lugar conocido, pero no dónde está: dé %2, o deje que lo halle el ajuste</translation>
     </message>
     <message>
         <source>joint %1 slides: a compliance is found of joints that turn</source>
-        <translation type="unfinished"></translation>
+        <translation>la articulación %1 se desliza: solo se halla una flexibilidad de las articulaciones que giran</translation>
     </message>
     <message>
         <source>joint %1 slides: its reading is %2</source>
-        <translation type="unfinished"></translation>
+        <translation>la articulación %1 se desliza: su lectura es %2</translation>
     </message>
     <message>
         <source>joint %1 turns: its reading is %2</source>
-        <translation type="unfinished"></translation>
+        <translation>la articulación %1 gira: su lectura es %2</translation>
     </message>
     <message>
         <source>there is no pose &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>no hay ninguna pose &apos;%1&apos;</translation>
     </message>
     <message>
         <source>there is no ball or reflector &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>no hay ninguna bola ni reflector &apos;%1&apos;</translation>
     </message>
     <message>
         <source>%1 from %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 desde %2</translation>
     </message>
     <message>
         <source>a distance from a pose to itself is 0</source>
-        <translation type="unfinished"></translation>
+        <translation>una distancia de una pose a sí misma es 0</translation>
     </message>
     <message>
         <source>this distance was not measured: give its value or take its row out</source>
-        <translation type="unfinished"></translation>
+        <translation>esta distancia no se midió: dé su valor o quite su fila</translation>
     </message>
     <message>
         <source>a distance from a point or pose is above zero</source>
-        <translation type="unfinished"></translation>
+        <translation>una distancia a un punto o a una pose es mayor que cero</translation>
     </message>
     <message>
         <source>there is no plane &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>no hay ningún plano &apos;%1&apos;</translation>
     </message>
     <message>
         <source>there is no point &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>no hay ningún punto &apos;%1&apos;</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is a point and no plane</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; es un punto y no un plano</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is a plane and no point</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; es un plano y no un punto</translation>
     </message>
     <message>
         <source>this position was not measured: give x, y and z or take its row out</source>
-        <translation type="unfinished"></translation>
+        <translation>esta posición no se midió: dé x, y y z o quite su fila</translation>
     </message>
     <message>
         <source>scale of the distances</source>
-        <translation type="unfinished"></translation>
+        <translation>escala de las distancias</translation>
     </message>
     <message>
         <source>measured distance</source>
-        <translation type="unfinished"></translation>
+        <translation>distancia medida</translation>
     </message>
     <message>
         <source>known place</source>
-        <translation type="unfinished"></translation>
+        <translation>lugar conocido</translation>
     </message>
     <message>
         <source>plane %1, along its normal</source>
-        <translation type="unfinished"></translation>
+        <translation>plano %1, a lo largo de su normal</translation>
     </message>
     <message>
         <source>tilt %1</source>
-        <translation type="unfinished"></translation>
+        <translation>inclinación %1</translation>
     </message>
     <message>
         <source>Nominal: the same surroundings fitted with the nominal parameters. E_n = |d|/U: below 1 the reading agrees with the calibration.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nominal: el mismo entorno ajustado con los parámetros nominales. E_n = |d|/U: por debajo de 1 la lectura concuerda con la calibración.</translation>
     </message>
     <message>
         <source>readings in the fit</source>
-        <translation type="unfinished"></translation>
+        <translation>lecturas en el ajuste</translation>
     </message>
     <message>
         <source>measured distances</source>
-        <translation type="unfinished"></translation>
+        <translation>distancias medidas</translation>
     </message>
     <message>
         <source>known places</source>
-        <translation type="unfinished"></translation>
+        <translation>lugares conocidos</translation>
     </message>
     <message>
         <source>What was found beside the parameters</source>
-        <translation type="unfinished"></translation>
+        <translation>Lo que se encontró además de los parámetros</translation>
     </message>
     <message>
         <source>over its u</source>
-        <translation type="unfinished"></translation>
+        <translation>dividido por su u</translation>
     </message>
     <message>
         <source>Readings held back from the fit, calculated less measured</source>
-        <translation type="unfinished"></translation>
+        <translation>Lecturas reservadas del ajuste, calculado menos medido</translation>
     </message>
     <message>
         <source>U (k = 2)</source>
-        <translation type="unfinished"></translation>
+        <translation>U (k = 2)</translation>
     </message>
     <message>
         <source>Hand-eye calibration</source>
-        <translation type="unfinished"></translation>
+        <translation>Calibración mano-ojo</translation>
     </message>
     <message>
         <source>Where an instrument on a robot&apos;s flange is and where its target stands, or the other way round (A X = Z B), with covariance, residuals and validation.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dónde está un instrumento en la brida de un robot y dónde está su objetivo, o al revés (A X = Z B), con covarianza, residuos y validación.</translation>
     </message>
     <message>
         <source>Least squares is on what was measured, and not on A X = Z B itself: an error of a rotation counts by its own u, and not by the lever of X.</source>
-        <translation type="unfinished"></translation>
+        <translation>Los mínimos cuadrados se aplican a lo que se midió, y no a A X = Z B en sí: un error de una rotación cuenta con su propia u, y no con el brazo de palanca de X.</translation>
     </message>
     <message>
         <source>Errors of the arm are taken to be independent from pose to pose; an arm that is wrong by its parameters shows larger residuals, and an identified robot is the better way.</source>
-        <translation type="unfinished"></translation>
+        <translation>Los errores del brazo se toman como independientes de una pose a otra; un brazo con parámetros erróneos muestra residuos mayores, y es mejor usar un robot identificado.</translation>
     </message>
     <message>
         <source>Where all turns of the flange are about one direction, the position along it is not told and named.</source>
-        <translation type="unfinished"></translation>
+        <translation>Donde todos los giros de la brida son en torno a una sola dirección, la posición a lo largo de ella queda sin determinar y se nombra.</translation>
     </message>
     <message>
         <source>The flange carries</source>
-        <translation type="unfinished"></translation>
+        <translation>La brida lleva</translation>
     </message>
     <message>
         <source>The instrument (a camera on the hand), which measures a target that stands still. Or the target, which an instrument that stands still measures.</source>
-        <translation type="unfinished"></translation>
+        <translation>El instrumento (una cámara en la mano), que mide un objetivo que está quieto. O el objetivo, que mide un instrumento que está quieto.</translation>
     </message>
     <message>
         <source>the instrument</source>
-        <translation type="unfinished"></translation>
+        <translation>el instrumento</translation>
     </message>
     <message>
         <source>the target</source>
-        <translation type="unfinished"></translation>
+        <translation>el objetivo</translation>
     </message>
     <message>
         <source>Poses of the flange, and where the instrument saw the target in each.</source>
-        <translation type="unfinished"></translation>
+        <translation>Poses de la brida, y dónde vio el instrumento el objetivo en cada una.</translation>
     </message>
     <message>
         <source>fit: taken into the fit. check: held back, to see how well the result tells it. Empty: fit.</source>
-        <translation type="unfinished"></translation>
+        <translation>fit (ajuste): entra en el ajuste. check (comprobación): se reserva, para ver con qué acierto la predice el resultado. Vacío: fit.</translation>
     </message>
     <message>
         <source>Coordinate x of the flange in the frame of the robot&apos;s base, as the controller says.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada x de la brida en el sistema de la base del robot, como la da el controlador.</translation>
     </message>
     <message>
         <source>Coordinate y of the flange in the frame of the robot&apos;s base, as the controller says.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada y de la brida en el sistema de la base del robot, como la da el controlador.</translation>
     </message>
     <message>
         <source>Coordinate z of the flange in the frame of the robot&apos;s base, as the controller says.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada z de la brida en el sistema de la base del robot, como la da el controlador.</translation>
     </message>
     <message>
         <source>Angle of the flange&apos;s orientation, R = Rz(gamma) Ry(beta) Rx(alpha): W, P, R of some controllers, C, B, A of others.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ángulo de la orientación de la brida, R = Rz(gamma) Ry(beta) Rx(alpha): W, P, R de algunos controladores, C, B, A de otros.</translation>
     </message>
     <message>
         <source>Coordinate of the target in the frame of the instrument, as measured.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada del objetivo en el sistema del instrumento, tal como se midió.</translation>
     </message>
     <message>
         <source>Angle of the target&apos;s orientation in the frame of the instrument, composed likewise; empty in all rows where points alone are measured.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ángulo de la orientación del objetivo en el sistema del instrumento, compuesta de igual modo; vacío en todas las filas donde solo se miden puntos.</translation>
     </message>
     <message>
         <source>Measured positions</source>
-        <translation type="unfinished"></translation>
+        <translation>Posiciones medidas</translation>
     </message>
     <message>
         <source>Standard uncertainty of each measured coordinate, independent.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre típica de cada coordenada medida, independientes.</translation>
     </message>
     <message>
         <source>Measured orientations</source>
-        <translation type="unfinished"></translation>
+        <translation>Orientaciones medidas</translation>
     </message>
     <message>
         <source>Standard uncertainty of the measured rotation about each axis of the target, independent.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre típica de la rotación medida alrededor de cada eje del objetivo, independientes.</translation>
     </message>
     <message>
         <source>Positions of the flange</source>
-        <translation type="unfinished"></translation>
+        <translation>Posiciones de la brida</translation>
     </message>
     <message>
         <source>Standard uncertainty of each coordinate of the flange, independent in each pose: repeatability, errors of the arm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre típica de cada coordenada de la brida, independientes en cada pose: repetibilidad, errores del brazo.</translation>
     </message>
     <message>
         <source>Orientations of the flange</source>
-        <translation type="unfinished"></translation>
+        <translation>Orientaciones de la brida</translation>
     </message>
     <message>
         <source>Standard uncertainty of the rotation about each axis of the flange, independent in each pose.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertidumbre típica de la rotación alrededor de cada eje de la brida, independientes en cada pose.</translation>
     </message>
     <message>
         <source>Where a camera is on the flange, or a tracker beside the robot.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dónde está una cámara en la brida, o un seguidor junto al robot.</translation>
     </message>
     <message>
         <source>A camera on the hand of a robot, a tracker beside it</source>
-        <translation type="unfinished"></translation>
+        <translation>Una cámara en la mano de un robot, un seguidor junto a él</translation>
     </message>
     <message>
         <source>Where a camera is on the flange and a board in the cell, and where a tracker stands and a reflector is on the flange.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dónde está una cámara en la brida y un tablero de calibración en la celda, y dónde está un seguidor y un reflector en la brida.</translation>
     </message>
     <message>
         <source>orientations of the flange</source>
-        <translation type="unfinished"></translation>
+        <translation>orientaciones de la brida</translation>
     </message>
     <message>
         <source>positions of the flange</source>
-        <translation type="unfinished"></translation>
+        <translation>posiciones de la brida</translation>
     </message>
     <message>
         <source>these poses hardly tell %1 apart (condition %2): turn the flange further, about other axes</source>
-        <translation type="unfinished"></translation>
+        <translation>estas poses apenas distinguen %1 (condición %2): gire más la brida, alrededor de otros ejes</translation>
     </message>
     <message>
         <source>pose %1: a residual is %2 times its standard uncertainty (limit %3). Look at this pose first; hold it back by use = check</source>
-        <translation type="unfinished"></translation>
+        <translation>pose %1: un residuo es %2 veces su incertidumbre típica (límite %3). Mire primero esta pose; resérvela con use = check</translation>
     </message>
     <message>
         <source>the residuals are %1 times as large as the stated uncertainties explain: errors of the arm, of the instrument, an outlier; X and Z are then less certain than stated</source>
-        <translation type="unfinished"></translation>
+        <translation>los residuos son %1 veces mayores de lo que explican las incertidumbres indicadas: errores del brazo, del instrumento, un valor atípico; X y Z son entonces menos seguras de lo indicado</translation>
     </message>
     <message>
         <source>the fit does not converge: look for exchanged poses, angles in another order or unit, and for what the flange carries</source>
-        <translation type="unfinished"></translation>
+        <translation>el ajuste no converge: busque poses intercambiadas o ángulos en otro orden o en otra unidad, y compruebe qué lleva la brida</translation>
     </message>
     <message>
         <source>at the solution X and Z cannot be told apart</source>
-        <translation type="unfinished"></translation>
+        <translation>en la solución X y Z no se pueden distinguir</translation>
     </message>
     <message>
         <source>E_n = |d|/U: below 1 the pose agrees with the calibration.</source>
-        <translation type="unfinished"></translation>
+        <translation>E_n = |d|/U: por debajo de 1 la pose concuerda con la calibración.</translation>
     </message>
     <message>
         <source>instrument in the frame of the flange</source>
-        <translation type="unfinished"></translation>
+        <translation>instrumento en el sistema de la brida</translation>
     </message>
     <message>
         <source>target in the frame of the base</source>
-        <translation type="unfinished"></translation>
+        <translation>objetivo en el sistema de la base</translation>
     </message>
     <message>
         <source>target in the frame of the flange</source>
-        <translation type="unfinished"></translation>
+        <translation>objetivo en el sistema de la brida</translation>
     </message>
     <message>
         <source>instrument in the frame of the base</source>
-        <translation type="unfinished"></translation>
+        <translation>instrumento en el sistema de la base</translation>
     </message>
     <message>
         <source>instrument %1</source>
-        <translation type="unfinished"></translation>
+        <translation>instrumento %1</translation>
     </message>
     <message>
         <source>start: linear in both rotations, then in both positions</source>
-        <translation type="unfinished"></translation>
+        <translation>inicio: lineal en ambas rotaciones, después en ambas posiciones</translation>
     </message>
     <message>
         <source>the fit has %1 poses; it needs %2 or more</source>
-        <translation type="unfinished"></translation>
+        <translation>el ajuste tiene %1 poses; necesita %2 o más</translation>
     </message>
     <message>
         <source>pose %1: its measured orientation is missing; give alpha_m, beta_m and gamma_m of every pose, or of none</source>
-        <translation type="unfinished"></translation>
+        <translation>pose %1: falta su orientación medida; dé alpha_m, beta_m y gamma_m de cada pose, o de ninguna</translation>
     </message>
     <message>
         <source>measured pose</source>
-        <translation type="unfinished"></translation>
+        <translation>pose medida</translation>
     </message>
     <message>
         <source>pose of the flange</source>
-        <translation type="unfinished"></translation>
+        <translation>pose de la brida</translation>
     </message>
     <message>
         <source>pose %1, %2, rotation about %3</source>
-        <translation type="unfinished"></translation>
+        <translation>pose %1, %2, rotación alrededor de %3</translation>
     </message>
     <message>
         <source>pose %1, %2, %3</source>
-        <translation type="unfinished"></translation>
+        <translation>pose %1, %2, %3</translation>
     </message>
     <message>
         <source>measured poses</source>
-        <translation type="unfinished"></translation>
+        <translation>poses medidas</translation>
     </message>
     <message>
         <source>poses of the flange</source>
-        <translation type="unfinished"></translation>
+        <translation>poses de la brida</translation>
+    </message>
+    <message>
+        <source>The residuals of more than %1 readings are not divided between their figures: uncertainties stay as stated; one factor for all of them can be had</source>
+        <translation>Los residuos de más de %1 lecturas no se reparten entre sus cifras: las incertidumbres se quedan como se indicaron; sí se puede tener un solo factor para todas</translation>
+    </message>
+    <message>
+        <source>the readings contradict each other so much that the search for the places of the points went astray: look for exchanged or mistyped readings, for a unit or the sense of angles that was mixed up, and for coordinates that are far off</source>
+        <translation>las lecturas se contradicen tanto que la búsqueda de los lugares de los puntos se extravió: busque lecturas intercambiadas o mal escritas, una unidad o un sentido de los ángulos confundidos, y coordenadas muy alejadas</translation>
+    </message>
+    <message>
+        <source>the readings agree if %1 are feet that were typed as m</source>
+        <translation>las lecturas concuerdan si %1 son pies que se teclearon como m</translation>
+    </message>
+    <message>
+        <source>the readings agree if the %1 is in mm and was typed as m</source>
+        <translation>las lecturas concuerdan si %1 está en mm y se tecleó como m</translation>
+    </message>
+    <message>
+        <source>the readings agree if angles grow the other way round: the sense of angles, clockwise or counter-clockwise, is probably the other one, or x and y are exchanged</source>
+        <translation>las lecturas concuerdan si los ángulos crecen al revés: el sentido de los ángulos, horario o antihorario, es probablemente el otro, o x e y están intercambiadas</translation>
+    </message>
+    <message>
+        <source>the readings agree if the coordinates of %1 are mm that were typed as m</source>
+        <translation>las lecturas concuerdan si las coordenadas de %1 son mm que se teclearon como m</translation>
+    </message>
+    <message>
+        <source>the readings agree if the coordinates of %1 are feet that were typed as m</source>
+        <translation>las lecturas concuerdan si las coordenadas de %1 son pies que se teclearon como m</translation>
+    </message>
+    <message>
+        <source>all points</source>
+        <translation>todos los puntos</translation>
+    </message>
+    <message>
+        <source>the known points</source>
+        <translation>los puntos conocidos</translation>
+    </message>
+    <message>
+        <source>lengths in mm that were typed as m</source>
+        <translation>longitudes en mm que se teclearon como m</translation>
+    </message>
+    <message>
+        <source>coordinates in mm that were typed as m</source>
+        <translation>coordenadas en mm que se teclearon como m</translation>
+    </message>
+    <message>
+        <source>lengths in feet that were typed as m</source>
+        <translation>longitudes en pies que se teclearon como m</translation>
+    </message>
+    <message>
+        <source>coordinates in feet that were typed as m</source>
+        <translation>coordenadas en pies que se teclearon como m</translation>
+    </message>
+    <message>
+        <source>the readings draw a network %1 times as large as the approximate coordinates of the datum do: look for %2</source>
+        <translation>las lecturas trazan una red %1 veces tan grande como la de las coordenadas aproximadas del datum: busque %2</translation>
+    </message>
+    <message>
+        <source>the readings draw a network %1 times as large as the approximate coordinates of the datum do: look for a wrong unit or scale</source>
+        <translation>las lecturas trazan una red %1 veces tan grande como la de las coordenadas aproximadas del datum: busque una unidad o una escala errónea</translation>
+    </message>
+    <message>
+        <source>the approximate coordinates of the datum agree with the readings if those of %1 and %2 are exchanged</source>
+        <translation>las coordenadas aproximadas del datum concuerdan con las lecturas si se intercambian las de %1 y %2</translation>
+    </message>
+    <message>
+        <source>the approximate coordinates of the datum agree with the readings but for those of %1: look for a mistyped one</source>
+        <translation>las coordenadas aproximadas del datum concuerdan con las lecturas salvo las de %1: busque una mal escrita</translation>
+    </message>
+    <message>
+        <source>the readings draw the mirror image of what the approximate coordinates of the datum do: the sense of angles, clockwise or counter-clockwise, is probably the other one, or x and y are exchanged</source>
+        <translation>las lecturas trazan la imagen especular de lo que trazan las coordenadas aproximadas del datum: el sentido de los ángulos, horario o antihorario, es probablemente el otro, o x e y están intercambiadas</translation>
+    </message>
+    <message>
+        <source>the readings draw the mirror image of what the approximate coordinates of the datum do: x and y are probably exchanged</source>
+        <translation>las lecturas trazan la imagen especular de lo que trazan las coordenadas aproximadas del datum: probablemente x e y están intercambiadas</translation>
+    </message>
+    <message>
+        <source>distances alone do not tell the network of %1 from its mirror image: state approximate coordinates of four of its points that are not all in a plane</source>
+        <translation>las distancias solas no distinguen la red de %1 de su imagen especular: indique coordenadas aproximadas de cuatro de sus puntos que no estén todos en un plano</translation>
+    </message>
+    <message>
+        <source>the distances fit as well where %1 are mirrored in the plane of %2: state an approximate coordinate that tells the side, or add a reading that does</source>
+        <translation>las distancias se ajustan igual de bien si %1 se reflejan en el plano de %2: indique una coordenada aproximada que diga el lado, o añada una lectura que lo diga</translation>
+    </message>
+    <message>
+        <source>the distances fit as well with %1 on the other side of the plane of %2, at (%3, %4, %5) m: state an approximate coordinate that tells the side, or add a reading that does</source>
+        <translation>las distancias se ajustan igual de bien con %1 al otro lado del plano de %2, en (%3, %4, %5) m: indique una coordenada aproximada que diga el lado, o añada una lectura que lo diga</translation>
+    </message>
+    <message>
+        <source>%1 lies so near to the plane of %2 that the distances hardly tell how far from it: %3 m, with u = %4 m, which is no more than its order: add a reading to %1 from outside of the plane, or one of its height</source>
+        <translation>%1 está tan cerca del plano de %2 que las distancias apenas dicen a qué distancia de él: %3 m, con u = %4 m, que no es más que su orden de magnitud: añada una lectura a %1 desde fuera del plano, o una de su altura</translation>
+    </message>
+    <message>
+        <source>and %1 more points with a mirror image that fits as well</source>
+        <translation>y %1 puntos más con una imagen especular que se ajusta igual de bien</translation>
+    </message>
+    <message>
+        <source>changes no reading</source>
+        <translation>no cambia ninguna lectura</translation>
+    </message>
+    <message>
+        <source>the fit does not converge: look for exchanged poses, readings of the wrong sign or in another unit, a base far from where the robot says it stands, and for a nominal robot that is another arm</source>
+        <translation>el ajuste no converge: busque poses intercambiadas, lecturas de signo contrario o en otra unidad, una base lejos de donde el robot indica que está, y un robot nominal que sea otro brazo</translation>
+    </message>
+    <message>
+        <source>The readings hardly tell the scale: all lengths may be larger by one factor. %1 takes part with its nominal value, as uncertain as the nominal robot states</source>
+        <translation>Las lecturas apenas revelan la escala: todas las longitudes pueden ser mayores por un mismo factor. %1 participa con su valor nominal, tan incierto como indica el robot nominal</translation>
+    </message>
+    <message>
+        <source>The readings do not tell the scale: all lengths may be larger by one factor. %1 is held at its nominal value, of which the nominal robot states no uncertainty: the other lengths are no more certain than it is</source>
+        <translation>Las lecturas no revelan la escala: todas las longitudes pueden ser mayores por un mismo factor. %1 se mantiene en su valor nominal, del que el robot nominal no indica ninguna incertidumbre: las demás longitudes no son más seguras que él</translation>
+    </message>
+    <message>
+        <source>%1. A length that is known gives the scale: distances between poses, or from several known points</source>
+        <translation>%1. Una longitud conocida da la escala: distancias entre poses, o a varios puntos conocidos</translation>
+    </message>
+    <message>
+        <source>nominal %1</source>
+        <translation>valor nominal de %1</translation>
+    </message>
+    <message>
+        <source>pose %1 lacks its reading %2, which other poses have</source>
+        <translation>a la pose %1 le falta la lectura %2, que otras poses tienen</translation>
+    </message>
+    <message>
+        <source>at most %1 %2 are taken</source>
+        <translation>se admiten como máximo %1 %2</translation>
+    </message>
+    <message>
+        <source>balls and reflectors</source>
+        <translation>bolas y reflectores</translation>
+    </message>
+    <message>
+        <source>points and planes</source>
+        <translation>puntos y planos</translation>
+    </message>
+    <message>
+        <source>a ball on the arm is called %1, too</source>
+        <translation>una bola del brazo también se llama %1</translation>
+    </message>
+    <message>
+        <source>zeros</source>
+        <translation>ceros</translation>
+    </message>
+    <message>
+        <source>nominal robot</source>
+        <translation>robot nominal</translation>
     </message>
 </context>
 <context>

@@ -20109,671 +20109,811 @@ sample 1; 2; 3 weights 2; 5; 2 (그대로 뽑음), histogram 0; 1; 2 weights 5; 
     </message>
     <message>
         <source>Robot from distances, planes and balls</source>
-        <translation type="unfinished"></translation>
+        <translation>거리, 평면, 볼로부터의 로봇</translation>
     </message>
     <message>
         <source>Geometric parameters of a robot by least squares from distances, touched planes, distances between poses and positions of reflectors, without measured poses.</source>
-        <translation type="unfinished"></translation>
+        <translation>측정 포즈 없이 거리, 접촉한 평면, 포즈 사이의 거리, 반사경의 위치에서 최소제곱으로 구한 로봇의 기하 매개변수.</translation>
     </message>
     <message>
         <source>Unknowns that the readings cannot tell are found by their columns of the Jacobian: each that is a combination of those before it (base, places, zeros, targets, then joint by joint, then compliances) stays as stated and is named with its partners.</source>
-        <translation type="unfinished"></translation>
+        <translation>읽음값으로 알 수 없는 미지수는 야코비 행렬의 열로 찾습니다. 앞의 것들(베이스, 위치, 영점, 표적, 다음 관절 순서, 다음 컴플라이언스)의 조합인 것은 제시된 값으로 두고 상대와 함께 이름을 보입니다.</translation>
     </message>
     <message>
         <source>Touched planes that are themselves found tell no lengths: an arm and its surroundings that are larger by one factor touch planes that are further away by it. One known distance gives the scale.</source>
-        <translation type="unfinished"></translation>
+        <translation>접촉한 평면 자체도 구하는 경우에는 길이를 알 수 없습니다. 팔과 그 주변이 한 인자만큼 커지면 그 인자만큼 더 먼 평면에 닿기 때문입니다. 아는 거리 하나가 축척을 줍니다.</translation>
     </message>
     <message>
         <source>Weights are the inverse variances of the readings. What readings share (the scale of the distances, an instrument&apos;s station, readings of the joints, known places) does not change the weights, but is propagated in full.</source>
-        <translation type="unfinished"></translation>
+        <translation>가중치는 읽음값의 분산의 역수입니다. 읽음값이 공유하는 것(거리의 척도, 측정기의 스테이션, 관절의 읽음값, 아는 위치)은 가중치를 바꾸지 않지만 온전히 전파됩니다.</translation>
     </message>
     <message>
         <source>The identified robot stands where its base was found; compliances are reported and not part of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>식별된 로봇은 베이스를 찾은 자리에 섭니다. 컴플라이언스는 보고되며 로봇의 일부가 아닙니다.</translation>
     </message>
     <message>
         <source>In each trial the gain of the estimates is used. It differs from a complete fit by residual times curvature.</source>
-        <translation type="unfinished"></translation>
+        <translation>시행마다 추정값에서의 이득을 씁니다. 완전한 맞춤과의 차이는 잔차 × 곡률입니다.</translation>
     </message>
     <message>
         <source>The arm as designed: start of the fit, values of what the readings cannot tell, uncertainty of the readings of its joints, and the arm of a plan.</source>
-        <translation type="unfinished"></translation>
+        <translation>설계된 로봇 팔: 맞춤의 시작값, 읽음값으로 알 수 없는 값, 관절 읽음값의 불확도, 계획의 팔.</translation>
     </message>
     <message>
         <source>Readings are</source>
-        <translation type="unfinished"></translation>
+        <translation>읽음값은</translation>
     </message>
     <message>
         <source>Measured. Or a plan: readings are those of the nominal robot, to see what an experiment would give.</source>
-        <translation type="unfinished"></translation>
+        <translation>측정. 또는 계획: 실험이 무엇을 줄지 보기 위한 공칭 로봇의 읽음값.</translation>
     </message>
     <message>
         <source>a plan</source>
-        <translation type="unfinished"></translation>
+        <translation>계획</translation>
     </message>
     <message>
         <source>Balls and reflectors</source>
-        <translation type="unfinished"></translation>
+        <translation>볼과 반사경</translation>
     </message>
     <message>
         <source>What is measured on the last link.</source>
-        <translation type="unfinished"></translation>
+        <translation>마지막 링크에서 측정하는 것.</translation>
     </message>
     <message>
         <source>Coordinate x in the frame of the last link; of one that is found: about.</source>
-        <translation type="unfinished"></translation>
+        <translation>마지막 링크의 좌표계에서의 좌표 x. 구하는 것이면 대략의 값.</translation>
     </message>
     <message>
         <source>Coordinate y in the frame of the last link; of one that is found: about.</source>
-        <translation type="unfinished"></translation>
+        <translation>마지막 링크의 좌표계에서의 좌표 y. 구하는 것이면 대략의 값.</translation>
     </message>
     <message>
         <source>Coordinate z in the frame of the last link; of one that is found: about.</source>
-        <translation type="unfinished"></translation>
+        <translation>마지막 링크의 좌표계에서의 좌표 z. 구하는 것이면 대략의 값.</translation>
     </message>
     <message>
         <source>place is</source>
-        <translation type="unfinished"></translation>
+        <translation>위치는</translation>
     </message>
     <message>
         <source>Found by the fit, or known. Empty: found.</source>
-        <translation type="unfinished"></translation>
+        <translation>맞춤으로 구하거나, 알고 있습니다. 비어 있으면 맞춤으로 구함.</translation>
     </message>
     <message>
         <source>known</source>
-        <translation type="unfinished"></translation>
+        <translation>알고 있음</translation>
     </message>
     <message>
         <source>Standard uncertainty of each coordinate, where it is known.</source>
-        <translation type="unfinished"></translation>
+        <translation>위치를 알고 있을 때 각 좌표의 표준불확도.</translation>
     </message>
     <message>
         <source>Points and planes</source>
-        <translation type="unfinished"></translation>
+        <translation>점과 평면</translation>
     </message>
     <message>
         <source>What distances are measured from.</source>
-        <translation type="unfinished"></translation>
+        <translation>거리를 재는 기점.</translation>
     </message>
     <message>
         <source>is a</source>
-        <translation type="unfinished"></translation>
+        <translation>종류</translation>
     </message>
     <message>
         <source>A point: the centre of a ball, a wire&apos;s or a distance meter&apos;s zero. Or a plane.</source>
-        <translation type="unfinished"></translation>
+        <translation>점: 볼의 중심, 와이어나 거리계의 영점. 또는 평면.</translation>
     </message>
     <message>
         <source>Coordinate x in the measuring frame, of the point or of any point of the plane; may be empty where it is found.</source>
-        <translation type="unfinished"></translation>
+        <translation>측정 좌표계에서 점의 좌표 x, 또는 평면 위 임의의 점의 좌표 x. 구하는 경우 비워 둘 수 있습니다.</translation>
     </message>
     <message>
         <source>Coordinate y in the measuring frame, of the point or of any point of the plane; may be empty where it is found.</source>
-        <translation type="unfinished"></translation>
+        <translation>측정 좌표계에서 점의 좌표 y, 또는 평면 위 임의의 점의 좌표 y. 구하는 경우 비워 둘 수 있습니다.</translation>
     </message>
     <message>
         <source>Coordinate z in the measuring frame, of the point or of any point of the plane; may be empty where it is found.</source>
-        <translation type="unfinished"></translation>
+        <translation>측정 좌표계에서 점의 좌표 z, 또는 평면 위 임의의 점의 좌표 z. 구하는 경우 비워 둘 수 있습니다.</translation>
     </message>
     <message>
         <source>Coordinate x of the normal of a plane, to the side on which distances are positive; may be empty where it is found.</source>
-        <translation type="unfinished"></translation>
+        <translation>평면의 법선의 좌표 x. 거리가 양인 쪽을 향합니다. 구하는 경우 비워 둘 수 있습니다.</translation>
     </message>
     <message>
         <source>Coordinate y of the normal of a plane, to the side on which distances are positive; may be empty where it is found.</source>
-        <translation type="unfinished"></translation>
+        <translation>평면의 법선의 좌표 y. 거리가 양인 쪽을 향합니다. 구하는 경우 비워 둘 수 있습니다.</translation>
     </message>
     <message>
         <source>Coordinate z of the normal of a plane, to the side on which distances are positive; may be empty where it is found.</source>
-        <translation type="unfinished"></translation>
+        <translation>평면의 법선의 좌표 z. 거리가 양인 쪽을 향합니다. 구하는 경우 비워 둘 수 있습니다.</translation>
     </message>
     <message>
         <source>Found by the fit, or known. Empty: known.</source>
-        <translation type="unfinished"></translation>
+        <translation>맞춤으로 구하거나, 알고 있습니다. 비어 있으면 알고 있음.</translation>
     </message>
     <message>
         <source>Standard uncertainty of each coordinate of a known point, or of a known plane along its normal.</source>
-        <translation type="unfinished"></translation>
+        <translation>아는 점의 각 좌표의 표준불확도, 또는 아는 평면의 법선 방향 표준불확도.</translation>
     </message>
     <message>
         <source>Readings of the joints.</source>
-        <translation type="unfinished"></translation>
+        <translation>관절의 읽음값.</translation>
     </message>
     <message>
         <source>Torque of the load about the axis of joint 1, where compliances are found; empty: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>컴플라이언스를 구할 때 관절 1의 축에 대한 부하의 토크. 비어 있으면 없음.</translation>
     </message>
     <message>
         <source>Torque of the load about the axis of joint 2, where compliances are found; empty: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>컴플라이언스를 구할 때 관절 2의 축에 대한 부하의 토크. 비어 있으면 없음.</translation>
     </message>
     <message>
         <source>Torque of the load about the axis of joint 3, where compliances are found; empty: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>컴플라이언스를 구할 때 관절 3의 축에 대한 부하의 토크. 비어 있으면 없음.</translation>
     </message>
     <message>
         <source>Torque of the load about the axis of joint 4, where compliances are found; empty: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>컴플라이언스를 구할 때 관절 4의 축에 대한 부하의 토크. 비어 있으면 없음.</translation>
     </message>
     <message>
         <source>Torque of the load about the axis of joint 5, where compliances are found; empty: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>컴플라이언스를 구할 때 관절 5의 축에 대한 부하의 토크. 비어 있으면 없음.</translation>
     </message>
     <message>
         <source>Torque of the load about the axis of joint 6, where compliances are found; empty: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>컴플라이언스를 구할 때 관절 6의 축에 대한 부하의 토크. 비어 있으면 없음.</translation>
     </message>
     <message>
         <source>Torque of the load about the axis of joint 7, where compliances are found; empty: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>컴플라이언스를 구할 때 관절 7의 축에 대한 부하의 토크. 비어 있으면 없음.</translation>
     </message>
     <message>
         <source>Distances of a target in one pose from a point, a plane, or its place in another pose: laser tracer, wire sensors, ballbar, dial gauge, probe on a ball plate.</source>
-        <translation type="unfinished"></translation>
+        <translation>한 포즈에서 표적과 점, 평면, 또는 다른 포즈에서의 그 위치 사이의 거리: 레이저 트레이서, 와이어 센서, 볼바, 다이얼 게이지, 볼 판 위의 프로브.</translation>
     </message>
     <message>
         <source>Name of the pose in which the arm stood.</source>
-        <translation type="unfinished"></translation>
+        <translation>팔이 서 있던 포즈의 이름.</translation>
     </message>
     <message>
         <source>Name of the ball or reflector that was measured. Empty: the first.</source>
-        <translation type="unfinished"></translation>
+        <translation>측정한 볼이나 반사경의 이름. 비어 있으면 첫째 것.</translation>
     </message>
     <message>
         <source>from a</source>
-        <translation type="unfinished"></translation>
+        <translation>기점</translation>
     </message>
     <message>
         <source>Distance of the target from a point; from a plane, on the side of its normal; or from where the same target is in another pose.</source>
-        <translation type="unfinished"></translation>
+        <translation>점에서 표적까지의 거리, 평면에서 그 법선 쪽으로 표적까지의 거리, 또는 같은 표적이 다른 포즈에 있는 곳에서의 거리.</translation>
     </message>
     <message>
         <source>called</source>
-        <translation type="unfinished"></translation>
+        <translation>기점의 이름</translation>
     </message>
     <message>
         <source>Name of the point, the plane or the other pose.</source>
-        <translation type="unfinished"></translation>
+        <translation>점, 평면 또는 다른 포즈의 이름.</translation>
     </message>
     <message>
         <source>Measured distance; 0 where the ball touches the plane. Not needed of a plan.</source>
-        <translation type="unfinished"></translation>
+        <translation>측정된 거리. 볼이 평면에 닿으면 0. 계획에는 필요 없습니다.</translation>
     </message>
     <message>
         <source>Standard uncertainty of this distance. Empty: that of all distances.</source>
-        <translation type="unfinished"></translation>
+        <translation>이 거리의 표준불확도. 비어 있으면 모든 거리에 대한 값.</translation>
     </message>
     <message>
         <source>Name of an unknown that all distances of that name contain: zero of a wire sensor, length of a ballbar, radius of a ball. Empty: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>같은 이름의 모든 거리가 포함하는 미지수의 이름: 와이어 센서의 영점, 볼바의 길이, 볼의 반지름. 비어 있으면 없음.</translation>
     </message>
     <message>
         <source>fit: taken into the fit. check: held back, to see how well the identified arm tells it. Empty: fit.</source>
-        <translation type="unfinished"></translation>
+        <translation>맞춤(fit): 맞춤에 포함. 확인(check): 식별된 팔이 이를 얼마나 잘 예측하는지 보기 위해 제외. 비어 있으면 fit.</translation>
     </message>
     <message>
         <source>Standard uncertainty of a distance</source>
-        <translation type="unfinished"></translation>
+        <translation>거리의 표준불확도</translation>
     </message>
     <message>
         <source>Of each distance that states none of its own, independent of all others.</source>
-        <translation type="unfinished"></translation>
+        <translation>불확도를 따로 제시하지 않은 각 거리에 대한 값, 다른 모든 것과 독립입니다.</translation>
     </message>
     <message>
         <source>Relative standard uncertainty of their scale</source>
-        <translation type="unfinished"></translation>
+        <translation>그 척도의 상대표준불확도</translation>
     </message>
     <message>
         <source>All distances from points and between poses share it: the length standard, its temperature.</source>
-        <translation type="unfinished"></translation>
+        <translation>점에서 잰 거리와 포즈 사이의 거리가 모두 공유합니다: 길이 표준, 그 온도.</translation>
     </message>
     <message>
         <source>Positions</source>
-        <translation type="unfinished"></translation>
+        <translation>위치</translation>
     </message>
     <message>
         <source>Coordinates of targets that an instrument measured, one or more targets in a pose.</source>
-        <translation type="unfinished"></translation>
+        <translation>측정기가 측정한 표적의 좌표. 한 포즈에 표적이 하나 이상입니다.</translation>
     </message>
     <message>
         <source>Measured coordinate x in the measuring frame. Not needed of a plan.</source>
-        <translation type="unfinished"></translation>
+        <translation>측정 좌표계에서 측정된 좌표 x. 계획에는 필요 없습니다.</translation>
     </message>
     <message>
         <source>Measured coordinate y in the measuring frame. Not needed of a plan.</source>
-        <translation type="unfinished"></translation>
+        <translation>측정 좌표계에서 측정된 좌표 y. 계획에는 필요 없습니다.</translation>
     </message>
     <message>
         <source>Measured coordinate z in the measuring frame. Not needed of a plan.</source>
-        <translation type="unfinished"></translation>
+        <translation>측정 좌표계에서 측정된 좌표 z. 계획에는 필요 없습니다.</translation>
     </message>
     <message>
         <source>Found by the fit: points, planes and the instrument stand anywhere. Known: the base stands where the robot says it stands, and places are given or found relative to it.</source>
-        <translation type="unfinished"></translation>
+        <translation>맞춤으로 구함: 점, 평면, 측정기가 어디에 있어도 됩니다. 알고 있음: 베이스는 로봇이 제시한 위치에 있고, 위치들은 그에 대해 주어지거나 구합니다.</translation>
     </message>
     <message>
         <source>Compliance of the joints</source>
-        <translation type="unfinished"></translation>
+        <translation>관절의 컴플라이언스</translation>
     </message>
     <message>
         <source>Found: each joint gives way in proportion to the torque of the load about it. Not in the model.</source>
-        <translation type="unfinished"></translation>
+        <translation>맞춤으로 구함: 각 관절은 그에 대한 부하의 토크에 비례하여 물러납니다. 또는 모델에 없음.</translation>
     </message>
     <message>
         <source>not in the model</source>
-        <translation type="unfinished"></translation>
+        <translation>모델에 없음</translation>
     </message>
     <message>
         <source>Parameters that stay nominal although the readings could tell them.</source>
-        <translation type="unfinished"></translation>
+        <translation>읽음값으로 알 수 있더라도 공칭값으로 두는 매개변수.</translation>
     </message>
     <message>
         <source>As stated; or as the residuals of this fit see them: stated ones times one common factor, or times the factor of each figure (variance components). Either has the degrees of freedom of its estimate. What all readings share stays as stated.</source>
-        <translation type="unfinished"></translation>
+        <translation>제시된 대로, 또는 이 맞춤의 잔차에서 드러난 대로: 제시된 값에 공통 인자 하나를 곱하거나, 수치마다의 인자를 곱합니다(분산성분). 어느 쪽이든 그 추정의 자유도를 갖습니다. 모든 읽음값이 공유하는 것은 제시된 대로 둡니다.</translation>
     </message>
     <message>
         <source>Parameters of an arm from what can be measured without poses.</source>
-        <translation type="unfinished"></translation>
+        <translation>포즈 없이 측정할 수 있는 것에서 구한 로봇 팔의 매개변수.</translation>
     </message>
     <message>
         <source>A robot identified without poses</source>
-        <translation type="unfinished"></translation>
+        <translation>포즈 없이 식별한 로봇</translation>
     </message>
     <message>
         <source>An arm of six joints from what can be measured without poses: distances from points, touched planes with distances between poses, positions of reflectors.</source>
-        <translation type="unfinished"></translation>
+        <translation>포즈 없이 측정할 수 있는 것에서 구한 관절 여섯 개의 팔: 점까지의 거리, 접촉한 평면과 포즈 사이의 거리, 반사경의 위치.</translation>
     </message>
     <message>
         <source>distances from points</source>
-        <translation type="unfinished"></translation>
+        <translation>점까지의 거리</translation>
     </message>
     <message>
         <source>distances from planes</source>
-        <translation type="unfinished"></translation>
+        <translation>평면까지의 거리</translation>
     </message>
     <message>
         <source>%1: the residual is %2 times its standard uncertainty (limit %3). Look at this reading first; hold it back by use = check</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: 잔차가 표준불확도의 %2배입니다(한계 %3). 이 읽음값을 먼저 살펴보고, use = check로 맞춤에서 제외하십시오</translation>
     </message>
     <message>
         <source>the residuals are %1 times as large as the uncertainties of the readings explain: there is more than these (a joint&apos;s elasticity, temperature, an outlier), and the uncertainty of the parameters is stated too small</source>
-        <translation type="unfinished"></translation>
+        <translation>잔차가 읽음값의 불확도로 설명되는 것의 %1배입니다. 이보다 더한 것(관절의 탄성, 온도, 이상값)이 있으며, 매개변수의 불확도가 너무 작게 제시됩니다</translation>
     </message>
     <message>
         <source>no parameter of the arm can be told from these readings: every one of them is coupled with others or held</source>
-        <translation type="unfinished"></translation>
+        <translation>이 읽음값들로는 로봇 팔의 어떤 매개변수도 알 수 없습니다. 모두 다른 매개변수와 결합되어 있거나 고정되어 있습니다</translation>
     </message>
     <message>
         <source>the fit has %1 readings, no more than there are unknowns to find (%2): measure more, or hold parameters</source>
-        <translation type="unfinished"></translation>
+        <translation>맞춤의 읽음값은 %1개로, 구할 미지수(%2개)보다 많지 않습니다. 더 측정하거나 매개변수를 고정하십시오</translation>
     </message>
     <message>
         <source>gives the scale, which the readings do not tell: all lengths of the arm may be larger by one factor</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>these readings do not tell the scale: all lengths of the arm, and how far away the planes are, may be larger by one factor. %1 is held at its nominal value, the other lengths are as certain as it is; a distance between two poses or from a known point gives the scale</source>
-        <translation type="unfinished"></translation>
+        <translation>읽음값으로 알 수 없는 축척을 줌: 팔의 모든 길이가 한 인자만큼 더 클 수 있음</translation>
     </message>
     <message>
         <source>%1: calculated less measured, held back</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: 계산값 빼기 측정값, 점검용으로 남김</translation>
     </message>
     <message>
         <source>compliance of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 컴플라이언스</translation>
     </message>
     <message>
         <source>zero %1</source>
-        <translation type="unfinished"></translation>
+        <translation>영점 %1</translation>
     </message>
     <message>
         <source>distance of plane %1 from the origin</source>
-        <translation type="unfinished"></translation>
+        <translation>원점에서 평면 %1까지의 거리</translation>
     </message>
     <message>
         <source>distance from a point, from another pose</source>
-        <translation type="unfinished"></translation>
+        <translation>점까지, 다른 포즈까지의 거리</translation>
     </message>
     <message>
         <source>distance from a plane, 0 where it is touched</source>
-        <translation type="unfinished"></translation>
+        <translation>평면까지의 거리, 접촉하면 0</translation>
     </message>
     <message>
         <source>where compliances are found</source>
-        <translation type="unfinished"></translation>
+        <translation>컴플라이언스를 구할 때</translation>
     </message>
     <message>
         <source>JCGM 102 6.2, with all that readings share</source>
-        <translation type="unfinished"></translation>
+        <translation>JCGM 102 6.2, 읽음값이 공유하는 모든 것을 포함</translation>
     </message>
     <message>
         <source>nothing is measured: give distances or positions</source>
-        <translation type="unfinished"></translation>
+        <translation>측정된 것이 없습니다. 거리나 위치를 주십시오</translation>
     </message>
     <message>
         <source>two of them are called %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>at most %1 of them are taken, and there are %2</source>
-        <translation type="unfinished"></translation>
+        <translation>이 가운데 둘의 이름이 %1입니다</translation>
     </message>
     <message>
         <source>a plan must say where %1 is: give %2</source>
-        <translation type="unfinished"></translation>
+        <translation>계획에는 %1이(가) 어디에 있는지 제시해야 합니다. %2을(를) 주십시오</translation>
     </message>
     <message>
         <source>%1 is known, but where it is is not said: give %2, or let the fit find it</source>
-        <translation type="unfinished"></translation>
+        <translation>%1은(는) 알고 있는 것이지만 어디에 있는지 제시되지 않았습니다. %2을(를) 주거나 맞춤으로 구하십시오</translation>
     </message>
     <message>
         <source>joint %1 slides: a compliance is found of joints that turn</source>
-        <translation type="unfinished"></translation>
+        <translation>관절 %1은(는) 미끄럼 관절입니다. 컴플라이언스는 회전 관절에서 구합니다</translation>
     </message>
     <message>
         <source>joint %1 slides: its reading is %2</source>
-        <translation type="unfinished"></translation>
+        <translation>관절 %1은(는) 미끄럼 관절입니다. 읽음값은 %2입니다</translation>
     </message>
     <message>
         <source>joint %1 turns: its reading is %2</source>
-        <translation type="unfinished"></translation>
+        <translation>관절 %1은(는) 회전 관절입니다. 읽음값은 %2입니다</translation>
     </message>
     <message>
         <source>there is no pose &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>포즈 &apos;%1&apos;이(가) 없습니다</translation>
     </message>
     <message>
         <source>there is no ball or reflector &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>볼이나 반사경 &apos;%1&apos;이(가) 없습니다</translation>
     </message>
     <message>
         <source>%1 from %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%2에서 %1까지</translation>
     </message>
     <message>
         <source>a distance from a pose to itself is 0</source>
-        <translation type="unfinished"></translation>
+        <translation>포즈에서 자신까지의 거리는 0입니다</translation>
     </message>
     <message>
         <source>this distance was not measured: give its value or take its row out</source>
-        <translation type="unfinished"></translation>
+        <translation>이 거리는 측정되지 않았습니다. 값을 주거나 그 행을 빼십시오</translation>
     </message>
     <message>
         <source>a distance from a point or pose is above zero</source>
-        <translation type="unfinished"></translation>
+        <translation>점이나 포즈까지의 거리는 0보다 큽니다</translation>
     </message>
     <message>
         <source>there is no plane &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>평면 &apos;%1&apos;이(가) 없습니다</translation>
     </message>
     <message>
         <source>there is no point &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>점 &apos;%1&apos;이(가) 없습니다</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is a point and no plane</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos;은(는) 평면이 아니라 점입니다</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is a plane and no point</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos;은(는) 점이 아니라 평면입니다</translation>
     </message>
     <message>
         <source>this position was not measured: give x, y and z or take its row out</source>
-        <translation type="unfinished"></translation>
+        <translation>이 위치는 측정되지 않았습니다. x, y, z를 주거나 그 행을 빼십시오</translation>
     </message>
     <message>
         <source>scale of the distances</source>
-        <translation type="unfinished"></translation>
+        <translation>거리의 척도</translation>
     </message>
     <message>
         <source>measured distance</source>
-        <translation type="unfinished"></translation>
+        <translation>측정된 거리</translation>
     </message>
     <message>
         <source>known place</source>
-        <translation type="unfinished"></translation>
+        <translation>아는 위치</translation>
     </message>
     <message>
         <source>plane %1, along its normal</source>
-        <translation type="unfinished"></translation>
+        <translation>평면 %1, 법선 방향</translation>
     </message>
     <message>
         <source>tilt %1</source>
-        <translation type="unfinished"></translation>
+        <translation>기울기 %1</translation>
     </message>
     <message>
         <source>Nominal: the same surroundings fitted with the nominal parameters. E_n = |d|/U: below 1 the reading agrees with the calibration.</source>
-        <translation type="unfinished"></translation>
+        <translation>공칭: 같은 주변을 공칭 매개변수로 맞춘 것. E_n = |d|/U: 1보다 작으면 읽음값이 교정과 일치합니다.</translation>
     </message>
     <message>
         <source>readings in the fit</source>
-        <translation type="unfinished"></translation>
+        <translation>맞춤의 읽음값</translation>
     </message>
     <message>
         <source>measured distances</source>
-        <translation type="unfinished"></translation>
+        <translation>측정된 거리</translation>
     </message>
     <message>
         <source>known places</source>
-        <translation type="unfinished"></translation>
+        <translation>아는 위치</translation>
     </message>
     <message>
         <source>What was found beside the parameters</source>
-        <translation type="unfinished"></translation>
+        <translation>매개변수 외에 구한 것</translation>
     </message>
     <message>
         <source>over its u</source>
-        <translation type="unfinished"></translation>
+        <translation>그 u로 나눈 값</translation>
     </message>
     <message>
         <source>Readings held back from the fit, calculated less measured</source>
-        <translation type="unfinished"></translation>
+        <translation>맞춤에서 제외한 읽음값, 계산값 빼기 측정값</translation>
     </message>
     <message>
         <source>U (k = 2)</source>
-        <translation type="unfinished"></translation>
+        <translation>U (k = 2)</translation>
     </message>
     <message>
         <source>Hand-eye calibration</source>
-        <translation type="unfinished"></translation>
+        <translation>핸드-아이 교정</translation>
     </message>
     <message>
         <source>Where an instrument on a robot&apos;s flange is and where its target stands, or the other way round (A X = Z B), with covariance, residuals and validation.</source>
-        <translation type="unfinished"></translation>
+        <translation>로봇 플랜지 위의 측정기가 어디에 있고 그 표적이 어디에 서 있는지, 또는 그 반대(A X = Z B). 공분산, 잔차, 검증 포함.</translation>
     </message>
     <message>
         <source>Least squares is on what was measured, and not on A X = Z B itself: an error of a rotation counts by its own u, and not by the lever of X.</source>
-        <translation type="unfinished"></translation>
+        <translation>최소제곱은 A X = Z B 자체가 아니라 측정된 것에 적용합니다. 회전의 오차는 X의 지렛대 길이가 아니라 자신의 u에 따라 작용합니다.</translation>
     </message>
     <message>
         <source>Errors of the arm are taken to be independent from pose to pose; an arm that is wrong by its parameters shows larger residuals, and an identified robot is the better way.</source>
-        <translation type="unfinished"></translation>
+        <translation>팔의 오차는 포즈마다 독립으로 봅니다. 매개변수가 틀린 팔은 잔차가 더 크게 나타나며, 이때는 식별된 로봇이 더 나은 방법입니다.</translation>
     </message>
     <message>
         <source>Where all turns of the flange are about one direction, the position along it is not told and named.</source>
-        <translation type="unfinished"></translation>
+        <translation>플랜지의 모든 회전이 한 방향에 대한 것이면 그 방향의 위치는 알 수 없으며, 이름을 보입니다.</translation>
     </message>
     <message>
         <source>The flange carries</source>
-        <translation type="unfinished"></translation>
+        <translation>플랜지가 지닌 것</translation>
     </message>
     <message>
         <source>The instrument (a camera on the hand), which measures a target that stands still. Or the target, which an instrument that stands still measures.</source>
-        <translation type="unfinished"></translation>
+        <translation>멈춰 있는 표적을 측정하는 측정기(핸드의 카메라). 또는 멈춰 있는 측정기가 측정하는 표적.</translation>
     </message>
     <message>
         <source>the instrument</source>
-        <translation type="unfinished"></translation>
+        <translation>측정기</translation>
     </message>
     <message>
         <source>the target</source>
-        <translation type="unfinished"></translation>
+        <translation>표적</translation>
     </message>
     <message>
         <source>Poses of the flange, and where the instrument saw the target in each.</source>
-        <translation type="unfinished"></translation>
+        <translation>플랜지의 포즈와, 각 포즈에서 측정기가 표적을 본 곳.</translation>
     </message>
     <message>
         <source>fit: taken into the fit. check: held back, to see how well the result tells it. Empty: fit.</source>
-        <translation type="unfinished"></translation>
+        <translation>맞춤(fit): 맞춤에 포함. 확인(check): 결과가 이를 얼마나 잘 예측하는지 보기 위해 제외. 비어 있으면 fit.</translation>
     </message>
     <message>
         <source>Coordinate x of the flange in the frame of the robot&apos;s base, as the controller says.</source>
-        <translation type="unfinished"></translation>
+        <translation>제어기가 알려 주는, 로봇의 베이스 좌표계에서 플랜지의 좌표 x.</translation>
     </message>
     <message>
         <source>Coordinate y of the flange in the frame of the robot&apos;s base, as the controller says.</source>
-        <translation type="unfinished"></translation>
+        <translation>제어기가 알려 주는, 로봇의 베이스 좌표계에서 플랜지의 좌표 y.</translation>
     </message>
     <message>
         <source>Coordinate z of the flange in the frame of the robot&apos;s base, as the controller says.</source>
-        <translation type="unfinished"></translation>
+        <translation>제어기가 알려 주는, 로봇의 베이스 좌표계에서 플랜지의 좌표 z.</translation>
     </message>
     <message>
         <source>Angle of the flange&apos;s orientation, R = Rz(gamma) Ry(beta) Rx(alpha): W, P, R of some controllers, C, B, A of others.</source>
-        <translation type="unfinished"></translation>
+        <translation>플랜지 자세의 각도, R = Rz(gamma) Ry(beta) Rx(alpha): 어떤 제어기의 W, P, R, 다른 제어기의 C, B, A.</translation>
     </message>
     <message>
         <source>Coordinate of the target in the frame of the instrument, as measured.</source>
-        <translation type="unfinished"></translation>
+        <translation>측정기의 좌표계에서 측정된 표적의 좌표.</translation>
     </message>
     <message>
         <source>Angle of the target&apos;s orientation in the frame of the instrument, composed likewise; empty in all rows where points alone are measured.</source>
-        <translation type="unfinished"></translation>
+        <translation>측정기의 좌표계에서 표적 자세의 각도. 같은 방식으로 합성합니다. 점만 측정하는 경우 모든 행에서 비워 둡니다.</translation>
     </message>
     <message>
         <source>Measured positions</source>
-        <translation type="unfinished"></translation>
+        <translation>측정된 위치</translation>
     </message>
     <message>
         <source>Standard uncertainty of each measured coordinate, independent.</source>
-        <translation type="unfinished"></translation>
+        <translation>측정된 각 좌표의 표준불확도, 서로 독립입니다.</translation>
     </message>
     <message>
         <source>Measured orientations</source>
-        <translation type="unfinished"></translation>
+        <translation>측정된 자세</translation>
     </message>
     <message>
         <source>Standard uncertainty of the measured rotation about each axis of the target, independent.</source>
-        <translation type="unfinished"></translation>
+        <translation>표적의 각 축에 대한 측정된 회전의 표준불확도, 서로 독립입니다.</translation>
     </message>
     <message>
         <source>Positions of the flange</source>
-        <translation type="unfinished"></translation>
+        <translation>플랜지의 위치</translation>
     </message>
     <message>
         <source>Standard uncertainty of each coordinate of the flange, independent in each pose: repeatability, errors of the arm.</source>
-        <translation type="unfinished"></translation>
+        <translation>플랜지의 각 좌표의 표준불확도, 포즈마다 독립입니다: 반복성, 팔의 오차.</translation>
     </message>
     <message>
         <source>Orientations of the flange</source>
-        <translation type="unfinished"></translation>
+        <translation>플랜지의 자세</translation>
     </message>
     <message>
         <source>Standard uncertainty of the rotation about each axis of the flange, independent in each pose.</source>
-        <translation type="unfinished"></translation>
+        <translation>플랜지의 각 축에 대한 회전의 표준불확도, 포즈마다 독립입니다.</translation>
     </message>
     <message>
         <source>Where a camera is on the flange, or a tracker beside the robot.</source>
-        <translation type="unfinished"></translation>
+        <translation>플랜지 위의 카메라 또는 로봇 옆의 트래커가 어디에 있는지.</translation>
     </message>
     <message>
         <source>A camera on the hand of a robot, a tracker beside it</source>
-        <translation type="unfinished"></translation>
+        <translation>로봇 핸드의 카메라, 로봇 옆의 트래커</translation>
     </message>
     <message>
         <source>Where a camera is on the flange and a board in the cell, and where a tracker stands and a reflector is on the flange.</source>
-        <translation type="unfinished"></translation>
+        <translation>플랜지 위의 카메라와 셀 안의 보드가 어디에 있는지, 그리고 트래커와 플랜지 위의 반사경이 어디에 있는지.</translation>
     </message>
     <message>
         <source>orientations of the flange</source>
-        <translation type="unfinished"></translation>
+        <translation>플랜지의 자세</translation>
     </message>
     <message>
         <source>positions of the flange</source>
-        <translation type="unfinished"></translation>
+        <translation>플랜지의 위치</translation>
     </message>
     <message>
         <source>these poses hardly tell %1 apart (condition %2): turn the flange further, about other axes</source>
-        <translation type="unfinished"></translation>
+        <translation>이 포즈들로는 %1을(를) 거의 구별할 수 없습니다(조건수 %2). 플랜지를 다른 축에 대해 더 크게 돌리십시오</translation>
     </message>
     <message>
         <source>pose %1: a residual is %2 times its standard uncertainty (limit %3). Look at this pose first; hold it back by use = check</source>
-        <translation type="unfinished"></translation>
+        <translation>포즈 %1: 한 잔차가 표준불확도의 %2배입니다(한계 %3). 이 포즈를 먼저 살펴보고, use = check로 맞춤에서 제외하십시오</translation>
     </message>
     <message>
         <source>the residuals are %1 times as large as the stated uncertainties explain: errors of the arm, of the instrument, an outlier; X and Z are then less certain than stated</source>
-        <translation type="unfinished"></translation>
+        <translation>잔차가 제시된 불확도로 설명되는 것의 %1배입니다. 팔의 오차, 측정기의 오차, 이상값 때문일 수 있으며, 이때 X와 Z는 제시된 것보다 덜 확실합니다</translation>
     </message>
     <message>
         <source>the fit does not converge: look for exchanged poses, angles in another order or unit, and for what the flange carries</source>
-        <translation type="unfinished"></translation>
+        <translation>맞춤이 수렴하지 않습니다. 바뀐 포즈, 순서나 단위가 다른 각도가 없는지 찾고, 플랜지가 지닌 것을 확인하십시오</translation>
     </message>
     <message>
         <source>at the solution X and Z cannot be told apart</source>
-        <translation type="unfinished"></translation>
+        <translation>해에서 X와 Z를 구별할 수 없습니다</translation>
     </message>
     <message>
         <source>E_n = |d|/U: below 1 the pose agrees with the calibration.</source>
-        <translation type="unfinished"></translation>
+        <translation>E_n = |d|/U: 1보다 작으면 포즈가 교정과 일치합니다.</translation>
     </message>
     <message>
         <source>instrument in the frame of the flange</source>
-        <translation type="unfinished"></translation>
+        <translation>플랜지 좌표계에서의 측정기</translation>
     </message>
     <message>
         <source>target in the frame of the base</source>
-        <translation type="unfinished"></translation>
+        <translation>베이스 좌표계에서의 표적</translation>
     </message>
     <message>
         <source>target in the frame of the flange</source>
-        <translation type="unfinished"></translation>
+        <translation>플랜지 좌표계에서의 표적</translation>
     </message>
     <message>
         <source>instrument in the frame of the base</source>
-        <translation type="unfinished"></translation>
+        <translation>베이스 좌표계에서의 측정기</translation>
     </message>
     <message>
         <source>instrument %1</source>
-        <translation type="unfinished"></translation>
+        <translation>측정기 %1</translation>
     </message>
     <message>
         <source>start: linear in both rotations, then in both positions</source>
-        <translation type="unfinished"></translation>
+        <translation>시작: 두 회전의 선형 해, 다음 두 위치의 선형 해</translation>
     </message>
     <message>
         <source>the fit has %1 poses; it needs %2 or more</source>
-        <translation type="unfinished"></translation>
+        <translation>맞춤에 포즈가 %1개 있습니다. %2개 이상이 필요합니다</translation>
     </message>
     <message>
         <source>pose %1: its measured orientation is missing; give alpha_m, beta_m and gamma_m of every pose, or of none</source>
-        <translation type="unfinished"></translation>
+        <translation>포즈 %1: 측정된 자세가 없습니다. 모든 포즈의 alpha_m, beta_m, gamma_m을 주거나 모두 비워 두십시오</translation>
     </message>
     <message>
         <source>measured pose</source>
-        <translation type="unfinished"></translation>
+        <translation>측정 포즈</translation>
     </message>
     <message>
         <source>pose of the flange</source>
-        <translation type="unfinished"></translation>
+        <translation>플랜지의 포즈</translation>
     </message>
     <message>
         <source>pose %1, %2, rotation about %3</source>
-        <translation type="unfinished"></translation>
+        <translation>포즈 %1, %2, %3 둘레의 회전</translation>
     </message>
     <message>
         <source>pose %1, %2, %3</source>
-        <translation type="unfinished"></translation>
+        <translation>포즈 %1, %2, %3</translation>
     </message>
     <message>
         <source>measured poses</source>
-        <translation type="unfinished"></translation>
+        <translation>측정 포즈</translation>
     </message>
     <message>
         <source>poses of the flange</source>
-        <translation type="unfinished"></translation>
+        <translation>플랜지의 포즈</translation>
+    </message>
+    <message>
+        <source>The residuals of more than %1 readings are not divided between their figures: uncertainties stay as stated; one factor for all of them can be had</source>
+        <translation>읽음값이 %1개를 넘으면 그 잔차를 수치별로 나누지 않습니다. 불확도는 제시된 대로 두며, 모두에 인자 하나를 쓸 수는 있습니다</translation>
+    </message>
+    <message>
+        <source>the readings contradict each other so much that the search for the places of the points went astray: look for exchanged or mistyped readings, for a unit or the sense of angles that was mixed up, and for coordinates that are far off</source>
+        <translation>읽음값이 서로 크게 모순되어 점의 위치를 찾는 탐색이 빗나갔습니다. 바뀌었거나 잘못 입력한 읽음값, 혼동한 단위나 각의 방향, 크게 벗어난 좌표를 찾으십시오</translation>
+    </message>
+    <message>
+        <source>the readings agree if %1 are feet that were typed as m</source>
+        <translation>%1이(가) m로 입력된 피트이면 읽음값이 일치합니다</translation>
+    </message>
+    <message>
+        <source>the readings agree if the %1 is in mm and was typed as m</source>
+        <translation>%1이(가) mm인데 m로 입력된 것이면 읽음값이 일치합니다</translation>
+    </message>
+    <message>
+        <source>the readings agree if angles grow the other way round: the sense of angles, clockwise or counter-clockwise, is probably the other one, or x and y are exchanged</source>
+        <translation>각이 반대 방향으로 증가하면 읽음값이 일치합니다. 각의 방향(시계 방향 또는 반시계 방향)이 반대이거나 x와 y가 바뀌었을 것입니다</translation>
+    </message>
+    <message>
+        <source>the readings agree if the coordinates of %1 are mm that were typed as m</source>
+        <translation>%1의 좌표가 m로 입력된 mm이면 읽음값이 일치합니다</translation>
+    </message>
+    <message>
+        <source>the readings agree if the coordinates of %1 are feet that were typed as m</source>
+        <translation>%1의 좌표가 m로 입력된 피트이면 읽음값이 일치합니다</translation>
+    </message>
+    <message>
+        <source>all points</source>
+        <translation>모든 점</translation>
+    </message>
+    <message>
+        <source>the known points</source>
+        <translation>기지점</translation>
+    </message>
+    <message>
+        <source>lengths in mm that were typed as m</source>
+        <translation>m로 입력된 mm 길이</translation>
+    </message>
+    <message>
+        <source>coordinates in mm that were typed as m</source>
+        <translation>m로 입력된 mm 좌표</translation>
+    </message>
+    <message>
+        <source>lengths in feet that were typed as m</source>
+        <translation>m로 입력된 피트 길이</translation>
+    </message>
+    <message>
+        <source>coordinates in feet that were typed as m</source>
+        <translation>m로 입력된 피트 좌표</translation>
+    </message>
+    <message>
+        <source>the readings draw a network %1 times as large as the approximate coordinates of the datum do: look for %2</source>
+        <translation>읽음값이 그리는 망은 데이텀의 근사 좌표가 그리는 망의 %1배 크기입니다. %2이(가) 없는지 찾으십시오</translation>
+    </message>
+    <message>
+        <source>the readings draw a network %1 times as large as the approximate coordinates of the datum do: look for a wrong unit or scale</source>
+        <translation>읽음값이 그리는 망은 데이텀의 근사 좌표가 그리는 망의 %1배 크기입니다. 틀린 단위나 척도가 없는지 찾으십시오</translation>
+    </message>
+    <message>
+        <source>the approximate coordinates of the datum agree with the readings if those of %1 and %2 are exchanged</source>
+        <translation>%1과(와) %2의 좌표를 맞바꾸면 데이텀의 근사 좌표가 읽음값과 일치합니다</translation>
+    </message>
+    <message>
+        <source>the approximate coordinates of the datum agree with the readings but for those of %1: look for a mistyped one</source>
+        <translation>%1의 좌표를 제외하면 데이텀의 근사 좌표가 읽음값과 일치합니다. 잘못 입력한 좌표를 찾으십시오</translation>
+    </message>
+    <message>
+        <source>the readings draw the mirror image of what the approximate coordinates of the datum do: the sense of angles, clockwise or counter-clockwise, is probably the other one, or x and y are exchanged</source>
+        <translation>읽음값이 그리는 망은 데이텀의 근사 좌표가 그리는 망의 거울상입니다. 각의 방향(시계 방향 또는 반시계 방향)이 반대이거나 x와 y가 바뀌었을 것입니다</translation>
+    </message>
+    <message>
+        <source>the readings draw the mirror image of what the approximate coordinates of the datum do: x and y are probably exchanged</source>
+        <translation>읽음값이 그리는 망은 데이텀의 근사 좌표가 그리는 망의 거울상입니다. x와 y가 바뀌었을 것입니다</translation>
+    </message>
+    <message>
+        <source>distances alone do not tell the network of %1 from its mirror image: state approximate coordinates of four of its points that are not all in a plane</source>
+        <translation>거리만으로는 %1의 망을 그 거울상과 구별할 수 없습니다. 모두 한 평면에 있지는 않은 네 점의 근사 좌표를 제시하십시오</translation>
+    </message>
+    <message>
+        <source>the distances fit as well where %1 are mirrored in the plane of %2: state an approximate coordinate that tells the side, or add a reading that does</source>
+        <translation>%1을(를) %2의 평면에 대해 거울상으로 옮겨도 거리가 똑같이 잘 맞습니다. 어느 쪽인지 알려 주는 근사 좌표를 제시하거나, 이를 알려 주는 읽음값을 추가하십시오</translation>
+    </message>
+    <message>
+        <source>the distances fit as well with %1 on the other side of the plane of %2, at (%3, %4, %5) m: state an approximate coordinate that tells the side, or add a reading that does</source>
+        <translation>%1이(가) %2의 평면 반대쪽, (%3, %4, %5) m에 있어도 거리가 똑같이 잘 맞습니다. 어느 쪽인지 알려 주는 근사 좌표를 제시하거나, 이를 알려 주는 읽음값을 추가하십시오</translation>
+    </message>
+    <message>
+        <source>%1 lies so near to the plane of %2 that the distances hardly tell how far from it: %3 m, with u = %4 m, which is no more than its order: add a reading to %1 from outside of the plane, or one of its height</source>
+        <translation>%1은(는) %2의 평면에 너무 가까워 평면에서 얼마나 떨어져 있는지 거리로는 거의 알 수 없습니다. %3 m, u = %4 m로, 그 크기 정도만 알 수 있습니다. 평면 밖에서 %1까지의 읽음값이나 그 높이의 읽음값을 추가하십시오</translation>
+    </message>
+    <message>
+        <source>and %1 more points with a mirror image that fits as well</source>
+        <translation>그 밖에 거울상도 똑같이 잘 맞는 점 %1개</translation>
+    </message>
+    <message>
+        <source>changes no reading</source>
+        <translation>어떤 읽음값도 바꾸지 않음</translation>
+    </message>
+    <message>
+        <source>the fit does not converge: look for exchanged poses, readings of the wrong sign or in another unit, a base far from where the robot says it stands, and for a nominal robot that is another arm</source>
+        <translation>맞춤이 수렴하지 않습니다. 바뀐 포즈, 부호나 단위가 틀린 읽음값, 로봇이 제시한 위치에서 먼 베이스, 다른 로봇 팔인 공칭 로봇이 없는지 찾으십시오</translation>
+    </message>
+    <message>
+        <source>The readings hardly tell the scale: all lengths may be larger by one factor. %1 takes part with its nominal value, as uncertain as the nominal robot states</source>
+        <translation>읽음값으로는 축척을 거의 알 수 없습니다. 모든 길이가 한 인자만큼 더 클 수 있습니다. %1은(는) 공칭값으로 참여하며, 그 불확도는 공칭 로봇에 제시된 것입니다</translation>
+    </message>
+    <message>
+        <source>The readings do not tell the scale: all lengths may be larger by one factor. %1 is held at its nominal value, of which the nominal robot states no uncertainty: the other lengths are no more certain than it is</source>
+        <translation>읽음값으로는 축척을 알 수 없습니다. 모든 길이가 한 인자만큼 더 클 수 있습니다. %1은(는) 공칭값에 고정되며, 공칭 로봇에는 그 불확도가 제시되어 있지 않습니다. 다른 길이는 이보다 더 확실하지 않습니다</translation>
+    </message>
+    <message>
+        <source>%1. A length that is known gives the scale: distances between poses, or from several known points</source>
+        <translation>%1. 아는 길이가 축척을 줍니다: 포즈 사이의 거리, 또는 여러 아는 점까지의 거리</translation>
+    </message>
+    <message>
+        <source>nominal %1</source>
+        <translation>공칭 %1</translation>
+    </message>
+    <message>
+        <source>pose %1 lacks its reading %2, which other poses have</source>
+        <translation>다른 포즈에는 있는 읽음값 %2이(가) 포즈 %1에 없습니다</translation>
+    </message>
+    <message>
+        <source>at most %1 %2 are taken</source>
+        <translation>%2은(는) 최대 %1개까지 받습니다</translation>
+    </message>
+    <message>
+        <source>balls and reflectors</source>
+        <translation>볼과 반사경</translation>
+    </message>
+    <message>
+        <source>points and planes</source>
+        <translation>점과 평면</translation>
+    </message>
+    <message>
+        <source>a ball on the arm is called %1, too</source>
+        <translation>팔 위의 볼 하나도 이름이 %1입니다</translation>
+    </message>
+    <message>
+        <source>zeros</source>
+        <translation>영점</translation>
+    </message>
+    <message>
+        <source>nominal robot</source>
+        <translation>공칭 로봇</translation>
     </message>
 </context>
 <context>

@@ -20110,671 +20110,811 @@ nu 18 atrás de qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>Robot from distances, planes and balls</source>
-        <translation type="unfinished"></translation>
+        <translation>Robô a partir de distâncias, planos e esferas</translation>
     </message>
     <message>
         <source>Geometric parameters of a robot by least squares from distances, touched planes, distances between poses and positions of reflectors, without measured poses.</source>
-        <translation type="unfinished"></translation>
+        <translation>Parâmetros geométricos de um robô por mínimos quadrados a partir de distâncias, planos tocados, distâncias entre poses e posições de refletores, sem poses medidas.</translation>
     </message>
     <message>
         <source>Unknowns that the readings cannot tell are found by their columns of the Jacobian: each that is a combination of those before it (base, places, zeros, targets, then joint by joint, then compliances) stays as stated and is named with its partners.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incógnitas que as leituras não podem distinguir são encontradas por suas colunas da jacobiana: cada uma que é combinação das anteriores (base, lugares, zeros, alvos, depois junta por junta, depois flexibilidades) fica como declarada e é nomeada com suas parceiras.</translation>
     </message>
     <message>
         <source>Touched planes that are themselves found tell no lengths: an arm and its surroundings that are larger by one factor touch planes that are further away by it. One known distance gives the scale.</source>
-        <translation type="unfinished"></translation>
+        <translation>Planos tocados que são eles mesmos encontrados não dizem comprimentos: um braço e seu entorno maiores por um mesmo fator tocam planos mais distantes por esse fator. Uma distância conhecida dá a escala.</translation>
     </message>
     <message>
         <source>Weights are the inverse variances of the readings. What readings share (the scale of the distances, an instrument&apos;s station, readings of the joints, known places) does not change the weights, but is propagated in full.</source>
-        <translation type="unfinished"></translation>
+        <translation>Os pesos são as variâncias inversas das leituras. O que as leituras compartilham (a escala das distâncias, a estação de um instrumento, leituras das juntas, lugares conhecidos) não muda os pesos, mas é propagado por inteiro.</translation>
     </message>
     <message>
         <source>The identified robot stands where its base was found; compliances are reported and not part of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>O robô identificado está onde sua base foi encontrada; as flexibilidades são informadas e não fazem parte dele.</translation>
     </message>
     <message>
         <source>In each trial the gain of the estimates is used. It differs from a complete fit by residual times curvature.</source>
-        <translation type="unfinished"></translation>
+        <translation>Em cada ensaio usa-se o ganho das estimativas. Difere de um ajuste completo por resíduo vezes curvatura.</translation>
     </message>
     <message>
         <source>The arm as designed: start of the fit, values of what the readings cannot tell, uncertainty of the readings of its joints, and the arm of a plan.</source>
-        <translation type="unfinished"></translation>
+        <translation>O braço como projetado: início do ajuste, valores do que as leituras não podem revelar, incerteza das leituras de suas juntas, e o braço de um plano de medição.</translation>
     </message>
     <message>
         <source>Readings are</source>
-        <translation type="unfinished"></translation>
+        <translation>As leituras são</translation>
     </message>
     <message>
         <source>Measured. Or a plan: readings are those of the nominal robot, to see what an experiment would give.</source>
-        <translation type="unfinished"></translation>
+        <translation>Medidas. Ou um plano de medição: as leituras são as do robô nominal, para ver o que um experimento daria.</translation>
     </message>
     <message>
         <source>a plan</source>
-        <translation type="unfinished"></translation>
+        <translation>um plano de medição</translation>
     </message>
     <message>
         <source>Balls and reflectors</source>
-        <translation type="unfinished"></translation>
+        <translation>Esferas-alvo e refletores</translation>
     </message>
     <message>
         <source>What is measured on the last link.</source>
-        <translation type="unfinished"></translation>
+        <translation>O que se mede no último elo.</translation>
     </message>
     <message>
         <source>Coordinate x in the frame of the last link; of one that is found: about.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada x no referencial do último elo; de um alvo que é encontrado: aproximada.</translation>
     </message>
     <message>
         <source>Coordinate y in the frame of the last link; of one that is found: about.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada y no referencial do último elo; de um alvo que é encontrado: aproximada.</translation>
     </message>
     <message>
         <source>Coordinate z in the frame of the last link; of one that is found: about.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada z no referencial do último elo; de um alvo que é encontrado: aproximada.</translation>
     </message>
     <message>
         <source>place is</source>
-        <translation type="unfinished"></translation>
+        <translation>o lugar é</translation>
     </message>
     <message>
         <source>Found by the fit, or known. Empty: found.</source>
-        <translation type="unfinished"></translation>
+        <translation>Encontrado pelo ajuste, ou conhecido. Vazio: encontrado.</translation>
     </message>
     <message>
         <source>known</source>
-        <translation type="unfinished"></translation>
+        <translation>conhecido</translation>
     </message>
     <message>
         <source>Standard uncertainty of each coordinate, where it is known.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incerteza-padrão de cada coordenada, onde o lugar é conhecido.</translation>
     </message>
     <message>
         <source>Points and planes</source>
-        <translation type="unfinished"></translation>
+        <translation>Pontos e planos</translation>
     </message>
     <message>
         <source>What distances are measured from.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aquilo a partir de que se medem as distâncias.</translation>
     </message>
     <message>
         <source>is a</source>
-        <translation type="unfinished"></translation>
+        <translation>é um</translation>
     </message>
     <message>
         <source>A point: the centre of a ball, a wire&apos;s or a distance meter&apos;s zero. Or a plane.</source>
-        <translation type="unfinished"></translation>
+        <translation>Um ponto: o centro de uma esfera, o zero de um fio ou de um distanciômetro. Ou um plano.</translation>
     </message>
     <message>
         <source>Coordinate x in the measuring frame, of the point or of any point of the plane; may be empty where it is found.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada x no referencial de medição, do ponto ou de qualquer ponto do plano; pode ficar vazia onde é encontrado.</translation>
     </message>
     <message>
         <source>Coordinate y in the measuring frame, of the point or of any point of the plane; may be empty where it is found.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada y no referencial de medição, do ponto ou de qualquer ponto do plano; pode ficar vazia onde é encontrado.</translation>
     </message>
     <message>
         <source>Coordinate z in the measuring frame, of the point or of any point of the plane; may be empty where it is found.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada z no referencial de medição, do ponto ou de qualquer ponto do plano; pode ficar vazia onde é encontrado.</translation>
     </message>
     <message>
         <source>Coordinate x of the normal of a plane, to the side on which distances are positive; may be empty where it is found.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada x da normal de um plano, para o lado em que as distâncias são positivas; pode ficar vazia onde é encontrado.</translation>
     </message>
     <message>
         <source>Coordinate y of the normal of a plane, to the side on which distances are positive; may be empty where it is found.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada y da normal de um plano, para o lado em que as distâncias são positivas; pode ficar vazia onde é encontrado.</translation>
     </message>
     <message>
         <source>Coordinate z of the normal of a plane, to the side on which distances are positive; may be empty where it is found.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada z da normal de um plano, para o lado em que as distâncias são positivas; pode ficar vazia onde é encontrado.</translation>
     </message>
     <message>
         <source>Found by the fit, or known. Empty: known.</source>
-        <translation type="unfinished"></translation>
+        <translation>Encontrado pelo ajuste, ou conhecido. Vazio: conhecido.</translation>
     </message>
     <message>
         <source>Standard uncertainty of each coordinate of a known point, or of a known plane along its normal.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incerteza-padrão de cada coordenada de um ponto conhecido, ou de um plano conhecido ao longo de sua normal.</translation>
     </message>
     <message>
         <source>Readings of the joints.</source>
-        <translation type="unfinished"></translation>
+        <translation>Leituras das juntas.</translation>
     </message>
     <message>
         <source>Torque of the load about the axis of joint 1, where compliances are found; empty: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>Torque da carga em torno do eixo da junta 1, onde se encontram flexibilidades; vazio: nenhum.</translation>
     </message>
     <message>
         <source>Torque of the load about the axis of joint 2, where compliances are found; empty: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>Torque da carga em torno do eixo da junta 2, onde se encontram flexibilidades; vazio: nenhum.</translation>
     </message>
     <message>
         <source>Torque of the load about the axis of joint 3, where compliances are found; empty: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>Torque da carga em torno do eixo da junta 3, onde se encontram flexibilidades; vazio: nenhum.</translation>
     </message>
     <message>
         <source>Torque of the load about the axis of joint 4, where compliances are found; empty: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>Torque da carga em torno do eixo da junta 4, onde se encontram flexibilidades; vazio: nenhum.</translation>
     </message>
     <message>
         <source>Torque of the load about the axis of joint 5, where compliances are found; empty: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>Torque da carga em torno do eixo da junta 5, onde se encontram flexibilidades; vazio: nenhum.</translation>
     </message>
     <message>
         <source>Torque of the load about the axis of joint 6, where compliances are found; empty: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>Torque da carga em torno do eixo da junta 6, onde se encontram flexibilidades; vazio: nenhum.</translation>
     </message>
     <message>
         <source>Torque of the load about the axis of joint 7, where compliances are found; empty: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>Torque da carga em torno do eixo da junta 7, onde se encontram flexibilidades; vazio: nenhum.</translation>
     </message>
     <message>
         <source>Distances of a target in one pose from a point, a plane, or its place in another pose: laser tracer, wire sensors, ballbar, dial gauge, probe on a ball plate.</source>
-        <translation type="unfinished"></translation>
+        <translation>Distâncias de um alvo, em uma pose, a um ponto, a um plano ou a seu lugar em outra pose: laser tracer, sensores de fio, ballbar, relógio comparador, apalpador em uma placa de esferas.</translation>
     </message>
     <message>
         <source>Name of the pose in which the arm stood.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nome da pose em que o braço estava.</translation>
     </message>
     <message>
         <source>Name of the ball or reflector that was measured. Empty: the first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nome da esfera-alvo ou do refletor que foi medido. Vazio: o primeiro.</translation>
     </message>
     <message>
         <source>from a</source>
-        <translation type="unfinished"></translation>
+        <translation>a partir de</translation>
     </message>
     <message>
         <source>Distance of the target from a point; from a plane, on the side of its normal; or from where the same target is in another pose.</source>
-        <translation type="unfinished"></translation>
+        <translation>Distância do alvo a um ponto; a um plano, do lado de sua normal; ou a onde o mesmo alvo está em outra pose.</translation>
     </message>
     <message>
         <source>called</source>
-        <translation type="unfinished"></translation>
+        <translation>chamado</translation>
     </message>
     <message>
         <source>Name of the point, the plane or the other pose.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nome do ponto, do plano ou da outra pose.</translation>
     </message>
     <message>
         <source>Measured distance; 0 where the ball touches the plane. Not needed of a plan.</source>
-        <translation type="unfinished"></translation>
+        <translation>Distância medida; 0 onde a esfera-alvo toca o plano. Não necessária em um plano de medição.</translation>
     </message>
     <message>
         <source>Standard uncertainty of this distance. Empty: that of all distances.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incerteza-padrão desta distância. Vazio: a de todas as distâncias.</translation>
     </message>
     <message>
         <source>Name of an unknown that all distances of that name contain: zero of a wire sensor, length of a ballbar, radius of a ball. Empty: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nome de uma incógnita que todas as distâncias desse nome contêm: zero de um sensor de fio, comprimento de um ballbar, raio de uma esfera-alvo. Vazio: nenhuma.</translation>
     </message>
     <message>
         <source>fit: taken into the fit. check: held back, to see how well the identified arm tells it. Empty: fit.</source>
-        <translation type="unfinished"></translation>
+        <translation>fit (ajuste): entra no ajuste. check (verificação): retida, para ver quão bem o braço identificado a prevê. Vazio: fit.</translation>
     </message>
     <message>
         <source>Standard uncertainty of a distance</source>
-        <translation type="unfinished"></translation>
+        <translation>Incerteza-padrão de uma distância</translation>
     </message>
     <message>
         <source>Of each distance that states none of its own, independent of all others.</source>
-        <translation type="unfinished"></translation>
+        <translation>De cada distância que não declara nenhuma própria, independente de todas as outras.</translation>
     </message>
     <message>
         <source>Relative standard uncertainty of their scale</source>
-        <translation type="unfinished"></translation>
+        <translation>Incerteza-padrão relativa de sua escala</translation>
     </message>
     <message>
         <source>All distances from points and between poses share it: the length standard, its temperature.</source>
-        <translation type="unfinished"></translation>
+        <translation>Todas as distâncias a pontos e entre poses a compartilham: o padrão de comprimento, sua temperatura.</translation>
     </message>
     <message>
         <source>Positions</source>
-        <translation type="unfinished"></translation>
+        <translation>Posições</translation>
     </message>
     <message>
         <source>Coordinates of targets that an instrument measured, one or more targets in a pose.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenadas de alvos que um instrumento mediu, um ou mais alvos em uma pose.</translation>
     </message>
     <message>
         <source>Measured coordinate x in the measuring frame. Not needed of a plan.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada x medida no referencial de medição. Não necessária em um plano de medição.</translation>
     </message>
     <message>
         <source>Measured coordinate y in the measuring frame. Not needed of a plan.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada y medida no referencial de medição. Não necessária em um plano de medição.</translation>
     </message>
     <message>
         <source>Measured coordinate z in the measuring frame. Not needed of a plan.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada z medida no referencial de medição. Não necessária em um plano de medição.</translation>
     </message>
     <message>
         <source>Found by the fit: points, planes and the instrument stand anywhere. Known: the base stands where the robot says it stands, and places are given or found relative to it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Encontrada pelo ajuste: pontos, planos e o instrumento estão em qualquer lugar. Conhecida: a base está onde o robô diz que está, e os lugares são dados ou encontrados em relação a ela.</translation>
     </message>
     <message>
         <source>Compliance of the joints</source>
-        <translation type="unfinished"></translation>
+        <translation>Flexibilidade das juntas</translation>
     </message>
     <message>
         <source>Found: each joint gives way in proportion to the torque of the load about it. Not in the model.</source>
-        <translation type="unfinished"></translation>
+        <translation>Encontrada: cada junta cede em proporção ao torque da carga em torno dela. Ou não está no modelo.</translation>
     </message>
     <message>
         <source>not in the model</source>
-        <translation type="unfinished"></translation>
+        <translation>não está no modelo</translation>
     </message>
     <message>
         <source>Parameters that stay nominal although the readings could tell them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Parâmetros que ficam nominais embora as leituras pudessem revelá-los.</translation>
     </message>
     <message>
         <source>As stated; or as the residuals of this fit see them: stated ones times one common factor, or times the factor of each figure (variance components). Either has the degrees of freedom of its estimate. What all readings share stays as stated.</source>
-        <translation type="unfinished"></translation>
+        <translation>Como declaradas; ou como as mostram os resíduos deste ajuste: as declaradas vezes um fator comum, ou vezes o fator de cada número (componentes de variância). Nos dois casos, com os graus de liberdade de sua estimativa. O que todas as leituras compartilham fica como declarado.</translation>
     </message>
     <message>
         <source>Parameters of an arm from what can be measured without poses.</source>
-        <translation type="unfinished"></translation>
+        <translation>Parâmetros de um braço a partir do que se pode medir sem poses.</translation>
     </message>
     <message>
         <source>A robot identified without poses</source>
-        <translation type="unfinished"></translation>
+        <translation>Um robô identificado sem poses</translation>
     </message>
     <message>
         <source>An arm of six joints from what can be measured without poses: distances from points, touched planes with distances between poses, positions of reflectors.</source>
-        <translation type="unfinished"></translation>
+        <translation>Um braço de seis juntas a partir do que se pode medir sem poses: distâncias a pontos, planos tocados com distâncias entre poses, posições de refletores.</translation>
     </message>
     <message>
         <source>distances from points</source>
-        <translation type="unfinished"></translation>
+        <translation>distâncias a pontos</translation>
     </message>
     <message>
         <source>distances from planes</source>
-        <translation type="unfinished"></translation>
+        <translation>distâncias a planos</translation>
     </message>
     <message>
         <source>%1: the residual is %2 times its standard uncertainty (limit %3). Look at this reading first; hold it back by use = check</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: o resíduo é %2 vezes sua incerteza-padrão (limite %3). Olhe primeiro esta leitura; reserve-a com use = check</translation>
     </message>
     <message>
         <source>the residuals are %1 times as large as the uncertainties of the readings explain: there is more than these (a joint&apos;s elasticity, temperature, an outlier), and the uncertainty of the parameters is stated too small</source>
-        <translation type="unfinished"></translation>
+        <translation>os resíduos são %1 vezes maiores do que as incertezas das leituras explicam: há mais que isso (elasticidade de uma junta, temperatura, um valor discrepante), e a incerteza dos parâmetros é declarada pequena demais</translation>
     </message>
     <message>
         <source>no parameter of the arm can be told from these readings: every one of them is coupled with others or held</source>
-        <translation type="unfinished"></translation>
+        <translation>nenhum parâmetro do braço pode ser obtido destas leituras: cada um está acoplado com outros ou fixado</translation>
     </message>
     <message>
         <source>the fit has %1 readings, no more than there are unknowns to find (%2): measure more, or hold parameters</source>
-        <translation type="unfinished"></translation>
+        <translation>o ajuste tem %1 leituras, não mais que as incógnitas a encontrar (%2): meça mais, ou fixe parâmetros</translation>
     </message>
     <message>
         <source>gives the scale, which the readings do not tell: all lengths of the arm may be larger by one factor</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>these readings do not tell the scale: all lengths of the arm, and how far away the planes are, may be larger by one factor. %1 is held at its nominal value, the other lengths are as certain as it is; a distance between two poses or from a known point gives the scale</source>
-        <translation type="unfinished"></translation>
+        <translation>dá a escala, que as leituras não dizem: todos os comprimentos do braço podem ser maiores por um mesmo fator</translation>
     </message>
     <message>
         <source>%1: calculated less measured, held back</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: calculado menos medido, reservado</translation>
     </message>
     <message>
         <source>compliance of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>flexibilidade de %1</translation>
     </message>
     <message>
         <source>zero %1</source>
-        <translation type="unfinished"></translation>
+        <translation>zero %1</translation>
     </message>
     <message>
         <source>distance of plane %1 from the origin</source>
-        <translation type="unfinished"></translation>
+        <translation>distância do plano %1 à origem</translation>
     </message>
     <message>
         <source>distance from a point, from another pose</source>
-        <translation type="unfinished"></translation>
+        <translation>distância a um ponto, a outra pose</translation>
     </message>
     <message>
         <source>distance from a plane, 0 where it is touched</source>
-        <translation type="unfinished"></translation>
+        <translation>distância a um plano, 0 onde ele é tocado</translation>
     </message>
     <message>
         <source>where compliances are found</source>
-        <translation type="unfinished"></translation>
+        <translation>onde se encontram flexibilidades</translation>
     </message>
     <message>
         <source>JCGM 102 6.2, with all that readings share</source>
-        <translation type="unfinished"></translation>
+        <translation>JCGM 102 6.2, com tudo o que as leituras partilham</translation>
     </message>
     <message>
         <source>nothing is measured: give distances or positions</source>
-        <translation type="unfinished"></translation>
+        <translation>nada é medido: dê distâncias ou posições</translation>
     </message>
     <message>
         <source>two of them are called %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>at most %1 of them are taken, and there are %2</source>
-        <translation type="unfinished"></translation>
+        <translation>dois deles chamam-se %1</translation>
     </message>
     <message>
         <source>a plan must say where %1 is: give %2</source>
-        <translation type="unfinished"></translation>
+        <translation>um plano de medição precisa dizer onde está %1: dê %2</translation>
     </message>
     <message>
         <source>%1 is known, but where it is is not said: give %2, or let the fit find it</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 é conhecido, mas não se diz onde está: dê %2, ou deixe o ajuste encontrá-lo</translation>
     </message>
     <message>
         <source>joint %1 slides: a compliance is found of joints that turn</source>
-        <translation type="unfinished"></translation>
+        <translation>a junta %1 desliza: uma flexibilidade se encontra de juntas que giram</translation>
     </message>
     <message>
         <source>joint %1 slides: its reading is %2</source>
-        <translation type="unfinished"></translation>
+        <translation>a junta %1 desliza: sua leitura é %2</translation>
     </message>
     <message>
         <source>joint %1 turns: its reading is %2</source>
-        <translation type="unfinished"></translation>
+        <translation>a junta %1 gira: sua leitura é %2</translation>
     </message>
     <message>
         <source>there is no pose &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>não há pose &apos;%1&apos;</translation>
     </message>
     <message>
         <source>there is no ball or reflector &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>não há esfera-alvo nem refletor &apos;%1&apos;</translation>
     </message>
     <message>
         <source>%1 from %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 a partir de %2</translation>
     </message>
     <message>
         <source>a distance from a pose to itself is 0</source>
-        <translation type="unfinished"></translation>
+        <translation>uma distância de uma pose a si mesma é 0</translation>
     </message>
     <message>
         <source>this distance was not measured: give its value or take its row out</source>
-        <translation type="unfinished"></translation>
+        <translation>esta distância não foi medida: dê seu valor ou retire sua linha</translation>
     </message>
     <message>
         <source>a distance from a point or pose is above zero</source>
-        <translation type="unfinished"></translation>
+        <translation>uma distância a um ponto ou a uma pose é maior que zero</translation>
     </message>
     <message>
         <source>there is no plane &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>não há plano &apos;%1&apos;</translation>
     </message>
     <message>
         <source>there is no point &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>não há ponto &apos;%1&apos;</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is a point and no plane</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; é um ponto e não um plano</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is a plane and no point</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; é um plano e não um ponto</translation>
     </message>
     <message>
         <source>this position was not measured: give x, y and z or take its row out</source>
-        <translation type="unfinished"></translation>
+        <translation>esta posição não foi medida: dê x, y e z ou retire sua linha</translation>
     </message>
     <message>
         <source>scale of the distances</source>
-        <translation type="unfinished"></translation>
+        <translation>escala das distâncias</translation>
     </message>
     <message>
         <source>measured distance</source>
-        <translation type="unfinished"></translation>
+        <translation>distância medida</translation>
     </message>
     <message>
         <source>known place</source>
-        <translation type="unfinished"></translation>
+        <translation>lugar conhecido</translation>
     </message>
     <message>
         <source>plane %1, along its normal</source>
-        <translation type="unfinished"></translation>
+        <translation>plano %1, ao longo de sua normal</translation>
     </message>
     <message>
         <source>tilt %1</source>
-        <translation type="unfinished"></translation>
+        <translation>inclinação %1</translation>
     </message>
     <message>
         <source>Nominal: the same surroundings fitted with the nominal parameters. E_n = |d|/U: below 1 the reading agrees with the calibration.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nominal: o mesmo entorno ajustado com os parâmetros nominais. E_n = |d|/U: abaixo de 1 a leitura concorda com a calibração.</translation>
     </message>
     <message>
         <source>readings in the fit</source>
-        <translation type="unfinished"></translation>
+        <translation>leituras no ajuste</translation>
     </message>
     <message>
         <source>measured distances</source>
-        <translation type="unfinished"></translation>
+        <translation>distâncias medidas</translation>
     </message>
     <message>
         <source>known places</source>
-        <translation type="unfinished"></translation>
+        <translation>lugares conhecidos</translation>
     </message>
     <message>
         <source>What was found beside the parameters</source>
-        <translation type="unfinished"></translation>
+        <translation>O que foi encontrado além dos parâmetros</translation>
     </message>
     <message>
         <source>over its u</source>
-        <translation type="unfinished"></translation>
+        <translation>dividido por sua u</translation>
     </message>
     <message>
         <source>Readings held back from the fit, calculated less measured</source>
-        <translation type="unfinished"></translation>
+        <translation>Leituras reservadas do ajuste, calculado menos medido</translation>
     </message>
     <message>
         <source>U (k = 2)</source>
-        <translation type="unfinished"></translation>
+        <translation>U (k = 2)</translation>
     </message>
     <message>
         <source>Hand-eye calibration</source>
-        <translation type="unfinished"></translation>
+        <translation>Calibração mão-olho</translation>
     </message>
     <message>
         <source>Where an instrument on a robot&apos;s flange is and where its target stands, or the other way round (A X = Z B), with covariance, residuals and validation.</source>
-        <translation type="unfinished"></translation>
+        <translation>Onde está um instrumento no flange de um robô e onde está seu alvo, ou vice-versa (A X = Z B), com covariância, resíduos e validação.</translation>
     </message>
     <message>
         <source>Least squares is on what was measured, and not on A X = Z B itself: an error of a rotation counts by its own u, and not by the lever of X.</source>
-        <translation type="unfinished"></translation>
+        <translation>Os mínimos quadrados são do que foi medido, e não da própria A X = Z B: um erro de rotação conta por sua própria u, e não pelo braço de alavanca de X.</translation>
     </message>
     <message>
         <source>Errors of the arm are taken to be independent from pose to pose; an arm that is wrong by its parameters shows larger residuals, and an identified robot is the better way.</source>
-        <translation type="unfinished"></translation>
+        <translation>Os erros do braço são tomados como independentes de pose para pose; um braço errado em seus parâmetros mostra resíduos maiores, e um robô identificado é o melhor caminho.</translation>
     </message>
     <message>
         <source>Where all turns of the flange are about one direction, the position along it is not told and named.</source>
-        <translation type="unfinished"></translation>
+        <translation>Onde todos os giros do flange são em torno de uma só direção, a posição ao longo dela fica indeterminada e é nomeada.</translation>
     </message>
     <message>
         <source>The flange carries</source>
-        <translation type="unfinished"></translation>
+        <translation>O flange leva</translation>
     </message>
     <message>
         <source>The instrument (a camera on the hand), which measures a target that stands still. Or the target, which an instrument that stands still measures.</source>
-        <translation type="unfinished"></translation>
+        <translation>O instrumento (uma câmera na mão), que mede um alvo parado. Ou o alvo, que é medido por um instrumento parado.</translation>
     </message>
     <message>
         <source>the instrument</source>
-        <translation type="unfinished"></translation>
+        <translation>o instrumento</translation>
     </message>
     <message>
         <source>the target</source>
-        <translation type="unfinished"></translation>
+        <translation>o alvo</translation>
     </message>
     <message>
         <source>Poses of the flange, and where the instrument saw the target in each.</source>
-        <translation type="unfinished"></translation>
+        <translation>Poses do flange, e onde o instrumento viu o alvo em cada uma.</translation>
     </message>
     <message>
         <source>fit: taken into the fit. check: held back, to see how well the result tells it. Empty: fit.</source>
-        <translation type="unfinished"></translation>
+        <translation>fit (ajuste): entra no ajuste. check (verificação): retida, para ver quão bem o resultado a prevê. Vazio: fit.</translation>
     </message>
     <message>
         <source>Coordinate x of the flange in the frame of the robot&apos;s base, as the controller says.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada x do flange no referencial da base do robô, como o controlador a dá.</translation>
     </message>
     <message>
         <source>Coordinate y of the flange in the frame of the robot&apos;s base, as the controller says.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada y do flange no referencial da base do robô, como o controlador a dá.</translation>
     </message>
     <message>
         <source>Coordinate z of the flange in the frame of the robot&apos;s base, as the controller says.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada z do flange no referencial da base do robô, como o controlador a dá.</translation>
     </message>
     <message>
         <source>Angle of the flange&apos;s orientation, R = Rz(gamma) Ry(beta) Rx(alpha): W, P, R of some controllers, C, B, A of others.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ângulo da orientação do flange, R = Rz(gamma) Ry(beta) Rx(alpha): W, P, R de alguns controladores, C, B, A de outros.</translation>
     </message>
     <message>
         <source>Coordinate of the target in the frame of the instrument, as measured.</source>
-        <translation type="unfinished"></translation>
+        <translation>Coordenada do alvo no referencial do instrumento, como medida.</translation>
     </message>
     <message>
         <source>Angle of the target&apos;s orientation in the frame of the instrument, composed likewise; empty in all rows where points alone are measured.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ângulo da orientação do alvo no referencial do instrumento, composta do mesmo modo; vazio em todas as linhas onde só se medem pontos.</translation>
     </message>
     <message>
         <source>Measured positions</source>
-        <translation type="unfinished"></translation>
+        <translation>Posições medidas</translation>
     </message>
     <message>
         <source>Standard uncertainty of each measured coordinate, independent.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incerteza-padrão de cada coordenada medida, independente.</translation>
     </message>
     <message>
         <source>Measured orientations</source>
-        <translation type="unfinished"></translation>
+        <translation>Orientações medidas</translation>
     </message>
     <message>
         <source>Standard uncertainty of the measured rotation about each axis of the target, independent.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incerteza-padrão da rotação medida em torno de cada eixo do alvo, independente.</translation>
     </message>
     <message>
         <source>Positions of the flange</source>
-        <translation type="unfinished"></translation>
+        <translation>Posições do flange</translation>
     </message>
     <message>
         <source>Standard uncertainty of each coordinate of the flange, independent in each pose: repeatability, errors of the arm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incerteza-padrão de cada coordenada do flange, independente em cada pose: repetibilidade, erros do braço.</translation>
     </message>
     <message>
         <source>Orientations of the flange</source>
-        <translation type="unfinished"></translation>
+        <translation>Orientações do flange</translation>
     </message>
     <message>
         <source>Standard uncertainty of the rotation about each axis of the flange, independent in each pose.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incerteza-padrão da rotação em torno de cada eixo do flange, independente em cada pose.</translation>
     </message>
     <message>
         <source>Where a camera is on the flange, or a tracker beside the robot.</source>
-        <translation type="unfinished"></translation>
+        <translation>Onde está uma câmera no flange, ou um laser tracker ao lado do robô.</translation>
     </message>
     <message>
         <source>A camera on the hand of a robot, a tracker beside it</source>
-        <translation type="unfinished"></translation>
+        <translation>Uma câmera na mão de um robô, um laser tracker ao lado dele</translation>
     </message>
     <message>
         <source>Where a camera is on the flange and a board in the cell, and where a tracker stands and a reflector is on the flange.</source>
-        <translation type="unfinished"></translation>
+        <translation>Onde está uma câmera no flange e uma placa na célula, e onde está um laser tracker e um refletor no flange.</translation>
     </message>
     <message>
         <source>orientations of the flange</source>
-        <translation type="unfinished"></translation>
+        <translation>orientações do flange</translation>
     </message>
     <message>
         <source>positions of the flange</source>
-        <translation type="unfinished"></translation>
+        <translation>posições do flange</translation>
     </message>
     <message>
         <source>these poses hardly tell %1 apart (condition %2): turn the flange further, about other axes</source>
-        <translation type="unfinished"></translation>
+        <translation>estas poses mal distinguem %1 (condição %2): gire mais o flange, em torno de outros eixos</translation>
     </message>
     <message>
         <source>pose %1: a residual is %2 times its standard uncertainty (limit %3). Look at this pose first; hold it back by use = check</source>
-        <translation type="unfinished"></translation>
+        <translation>pose %1: um resíduo é %2 vezes sua incerteza-padrão (limite %3). Olhe primeiro esta pose; reserve-a com use = check</translation>
     </message>
     <message>
         <source>the residuals are %1 times as large as the stated uncertainties explain: errors of the arm, of the instrument, an outlier; X and Z are then less certain than stated</source>
-        <translation type="unfinished"></translation>
+        <translation>os resíduos são %1 vezes maiores do que as incertezas declaradas explicam: erros do braço, do instrumento, um valor discrepante; X e Z são então menos certos do que o declarado</translation>
     </message>
     <message>
         <source>the fit does not converge: look for exchanged poses, angles in another order or unit, and for what the flange carries</source>
-        <translation type="unfinished"></translation>
+        <translation>o ajuste não converge: procure poses trocadas, ângulos em outra ordem ou unidade, e verifique o que o flange leva</translation>
     </message>
     <message>
         <source>at the solution X and Z cannot be told apart</source>
-        <translation type="unfinished"></translation>
+        <translation>na solução X e Z não podem ser distinguidos</translation>
     </message>
     <message>
         <source>E_n = |d|/U: below 1 the pose agrees with the calibration.</source>
-        <translation type="unfinished"></translation>
+        <translation>E_n = |d|/U: abaixo de 1 a pose concorda com a calibração.</translation>
     </message>
     <message>
         <source>instrument in the frame of the flange</source>
-        <translation type="unfinished"></translation>
+        <translation>instrumento no referencial do flange</translation>
     </message>
     <message>
         <source>target in the frame of the base</source>
-        <translation type="unfinished"></translation>
+        <translation>alvo no referencial da base</translation>
     </message>
     <message>
         <source>target in the frame of the flange</source>
-        <translation type="unfinished"></translation>
+        <translation>alvo no referencial do flange</translation>
     </message>
     <message>
         <source>instrument in the frame of the base</source>
-        <translation type="unfinished"></translation>
+        <translation>instrumento no referencial da base</translation>
     </message>
     <message>
         <source>instrument %1</source>
-        <translation type="unfinished"></translation>
+        <translation>instrumento %1</translation>
     </message>
     <message>
         <source>start: linear in both rotations, then in both positions</source>
-        <translation type="unfinished"></translation>
+        <translation>início: linear em ambas as rotações, depois em ambas as posições</translation>
     </message>
     <message>
         <source>the fit has %1 poses; it needs %2 or more</source>
-        <translation type="unfinished"></translation>
+        <translation>o ajuste tem %1 poses; precisa de %2 ou mais</translation>
     </message>
     <message>
         <source>pose %1: its measured orientation is missing; give alpha_m, beta_m and gamma_m of every pose, or of none</source>
-        <translation type="unfinished"></translation>
+        <translation>pose %1: falta sua orientação medida; dê alpha_m, beta_m e gamma_m de cada pose, ou de nenhuma</translation>
     </message>
     <message>
         <source>measured pose</source>
-        <translation type="unfinished"></translation>
+        <translation>pose medida</translation>
     </message>
     <message>
         <source>pose of the flange</source>
-        <translation type="unfinished"></translation>
+        <translation>pose do flange</translation>
     </message>
     <message>
         <source>pose %1, %2, rotation about %3</source>
-        <translation type="unfinished"></translation>
+        <translation>pose %1, %2, rotação em torno de %3</translation>
     </message>
     <message>
         <source>pose %1, %2, %3</source>
-        <translation type="unfinished"></translation>
+        <translation>pose %1, %2, %3</translation>
     </message>
     <message>
         <source>measured poses</source>
-        <translation type="unfinished"></translation>
+        <translation>poses medidas</translation>
     </message>
     <message>
         <source>poses of the flange</source>
-        <translation type="unfinished"></translation>
+        <translation>poses do flange</translation>
+    </message>
+    <message>
+        <source>The residuals of more than %1 readings are not divided between their figures: uncertainties stay as stated; one factor for all of them can be had</source>
+        <translation>Os resíduos de mais de %1 leituras não são repartidos entre seus números: as incertezas ficam como declaradas; pode-se ter um só fator para todas elas</translation>
+    </message>
+    <message>
+        <source>the readings contradict each other so much that the search for the places of the points went astray: look for exchanged or mistyped readings, for a unit or the sense of angles that was mixed up, and for coordinates that are far off</source>
+        <translation>as leituras se contradizem tanto que a busca dos lugares dos pontos se perdeu: procure leituras trocadas ou mal digitadas, uma unidade ou um sentido dos ângulos confundidos, e coordenadas muito afastadas</translation>
+    </message>
+    <message>
+        <source>the readings agree if %1 are feet that were typed as m</source>
+        <translation>as leituras concordam se %1 forem pés que foram digitados como m</translation>
+    </message>
+    <message>
+        <source>the readings agree if the %1 is in mm and was typed as m</source>
+        <translation>as leituras concordam se a leitura (%1) estiver em mm e tiver sido digitada como m</translation>
+    </message>
+    <message>
+        <source>the readings agree if angles grow the other way round: the sense of angles, clockwise or counter-clockwise, is probably the other one, or x and y are exchanged</source>
+        <translation>as leituras concordam se os ângulos crescerem no outro sentido: o sentido dos ângulos, horário ou anti-horário, é provavelmente o outro, ou x e y estão trocados</translation>
+    </message>
+    <message>
+        <source>the readings agree if the coordinates of %1 are mm that were typed as m</source>
+        <translation>as leituras concordam se as coordenadas de %1 forem mm que foram digitados como m</translation>
+    </message>
+    <message>
+        <source>the readings agree if the coordinates of %1 are feet that were typed as m</source>
+        <translation>as leituras concordam se as coordenadas de %1 forem pés que foram digitados como m</translation>
+    </message>
+    <message>
+        <source>all points</source>
+        <translation>todos os pontos</translation>
+    </message>
+    <message>
+        <source>the known points</source>
+        <translation>pontos conhecidos</translation>
+    </message>
+    <message>
+        <source>lengths in mm that were typed as m</source>
+        <translation>comprimentos em mm que foram digitados como m</translation>
+    </message>
+    <message>
+        <source>coordinates in mm that were typed as m</source>
+        <translation>coordenadas em mm que foram digitadas como m</translation>
+    </message>
+    <message>
+        <source>lengths in feet that were typed as m</source>
+        <translation>comprimentos em pés que foram digitados como m</translation>
+    </message>
+    <message>
+        <source>coordinates in feet that were typed as m</source>
+        <translation>coordenadas em pés que foram digitadas como m</translation>
+    </message>
+    <message>
+        <source>the readings draw a network %1 times as large as the approximate coordinates of the datum do: look for %2</source>
+        <translation>as leituras desenham uma rede %1 vezes o tamanho da que desenham as coordenadas aproximadas do datum: procure %2</translation>
+    </message>
+    <message>
+        <source>the readings draw a network %1 times as large as the approximate coordinates of the datum do: look for a wrong unit or scale</source>
+        <translation>as leituras desenham uma rede %1 vezes o tamanho da que desenham as coordenadas aproximadas do datum: procure uma unidade ou escala errada</translation>
+    </message>
+    <message>
+        <source>the approximate coordinates of the datum agree with the readings if those of %1 and %2 are exchanged</source>
+        <translation>as coordenadas aproximadas do datum concordam com as leituras se as de %1 e de %2 forem trocadas</translation>
+    </message>
+    <message>
+        <source>the approximate coordinates of the datum agree with the readings but for those of %1: look for a mistyped one</source>
+        <translation>as coordenadas aproximadas do datum concordam com as leituras, exceto as de %1: procure uma mal digitada</translation>
+    </message>
+    <message>
+        <source>the readings draw the mirror image of what the approximate coordinates of the datum do: the sense of angles, clockwise or counter-clockwise, is probably the other one, or x and y are exchanged</source>
+        <translation>as leituras desenham a imagem espelhada do que desenham as coordenadas aproximadas do datum: o sentido dos ângulos, horário ou anti-horário, é provavelmente o outro, ou x e y estão trocados</translation>
+    </message>
+    <message>
+        <source>the readings draw the mirror image of what the approximate coordinates of the datum do: x and y are probably exchanged</source>
+        <translation>as leituras desenham a imagem espelhada do que desenham as coordenadas aproximadas do datum: x e y estão provavelmente trocados</translation>
+    </message>
+    <message>
+        <source>distances alone do not tell the network of %1 from its mirror image: state approximate coordinates of four of its points that are not all in a plane</source>
+        <translation>distâncias apenas não distinguem a rede de %1 de sua imagem espelhada: declare coordenadas aproximadas de quatro de seus pontos que não estejam todos em um plano</translation>
+    </message>
+    <message>
+        <source>the distances fit as well where %1 are mirrored in the plane of %2: state an approximate coordinate that tells the side, or add a reading that does</source>
+        <translation>as distâncias se ajustam igualmente bem onde %1 são espelhados no plano de %2: declare uma coordenada aproximada que diga o lado, ou acrescente uma leitura que o diga</translation>
+    </message>
+    <message>
+        <source>the distances fit as well with %1 on the other side of the plane of %2, at (%3, %4, %5) m: state an approximate coordinate that tells the side, or add a reading that does</source>
+        <translation>as distâncias se ajustam igualmente bem com %1 do outro lado do plano de %2, em (%3, %4, %5) m: declare uma coordenada aproximada que diga o lado, ou acrescente uma leitura que o diga</translation>
+    </message>
+    <message>
+        <source>%1 lies so near to the plane of %2 that the distances hardly tell how far from it: %3 m, with u = %4 m, which is no more than its order: add a reading to %1 from outside of the plane, or one of its height</source>
+        <translation>%1 está tão perto do plano de %2 que as distâncias mal dizem a que distância dele: %3 m, com u = %4 m, o que é apenas sua ordem de grandeza: acrescente uma leitura a %1 de fora do plano, ou uma de sua altura</translation>
+    </message>
+    <message>
+        <source>and %1 more points with a mirror image that fits as well</source>
+        <translation>e mais %1 pontos com uma imagem espelhada que se ajusta igualmente bem</translation>
+    </message>
+    <message>
+        <source>changes no reading</source>
+        <translation>não altera nenhuma leitura</translation>
+    </message>
+    <message>
+        <source>the fit does not converge: look for exchanged poses, readings of the wrong sign or in another unit, a base far from where the robot says it stands, and for a nominal robot that is another arm</source>
+        <translation>o ajuste não converge: procure poses trocadas, leituras de sinal errado ou em outra unidade, uma base longe de onde o robô diz que está, e um robô nominal que seja outro braço</translation>
+    </message>
+    <message>
+        <source>The readings hardly tell the scale: all lengths may be larger by one factor. %1 takes part with its nominal value, as uncertain as the nominal robot states</source>
+        <translation>As leituras mal dizem a escala: todos os comprimentos podem ser maiores por um mesmo fator. %1 participa com seu valor nominal, tão incerto quanto o robô nominal declara</translation>
+    </message>
+    <message>
+        <source>The readings do not tell the scale: all lengths may be larger by one factor. %1 is held at its nominal value, of which the nominal robot states no uncertainty: the other lengths are no more certain than it is</source>
+        <translation>As leituras não dizem a escala: todos os comprimentos podem ser maiores por um mesmo fator. %1 é fixado em seu valor nominal, do qual o robô nominal não declara incerteza: os outros comprimentos não são mais certos do que ele</translation>
+    </message>
+    <message>
+        <source>%1. A length that is known gives the scale: distances between poses, or from several known points</source>
+        <translation>%1. Um comprimento conhecido dá a escala: distâncias entre poses, ou a vários pontos conhecidos</translation>
+    </message>
+    <message>
+        <source>nominal %1</source>
+        <translation>%1 nominal</translation>
+    </message>
+    <message>
+        <source>pose %1 lacks its reading %2, which other poses have</source>
+        <translation>falta à pose %1 sua leitura %2, que outras poses têm</translation>
+    </message>
+    <message>
+        <source>at most %1 %2 are taken</source>
+        <translation>aceitam-se no máximo %1 %2</translation>
+    </message>
+    <message>
+        <source>balls and reflectors</source>
+        <translation>esferas-alvo e refletores</translation>
+    </message>
+    <message>
+        <source>points and planes</source>
+        <translation>pontos e planos</translation>
+    </message>
+    <message>
+        <source>a ball on the arm is called %1, too</source>
+        <translation>uma esfera-alvo no braço também se chama %1</translation>
+    </message>
+    <message>
+        <source>zeros</source>
+        <translation>zeros</translation>
+    </message>
+    <message>
+        <source>nominal robot</source>
+        <translation>robô nominal</translation>
     </message>
 </context>
 <context>

@@ -20109,671 +20109,811 @@ sample 1; 2; 3 weights 2; 5; 2（按原样抽取），histogram 0; 1; 2 weights 
     </message>
     <message>
         <source>Robot from distances, planes and balls</source>
-        <translation type="unfinished"></translation>
+        <translation>由距离、平面和球求机器人</translation>
     </message>
     <message>
         <source>Geometric parameters of a robot by least squares from distances, touched planes, distances between poses and positions of reflectors, without measured poses.</source>
-        <translation type="unfinished"></translation>
+        <translation>由距离、被接触的平面、位姿间的距离和反射器的位置按最小二乘法求机器人的几何参数，无需实测位姿。</translation>
     </message>
     <message>
         <source>Unknowns that the readings cannot tell are found by their columns of the Jacobian: each that is a combination of those before it (base, places, zeros, targets, then joint by joint, then compliances) stays as stated and is named with its partners.</source>
-        <translation type="unfinished"></translation>
+        <translation>读数不能确定的未知量由其雅可比矩阵的列找出：凡为其前者（基座、位置、零点、目标点，然后逐个关节，最后是柔度）组合的未知量保持给定值，并与其对应的未知量一起列出名称。</translation>
     </message>
     <message>
         <source>Touched planes that are themselves found tell no lengths: an arm and its surroundings that are larger by one factor touch planes that are further away by it. One known distance gives the scale.</source>
-        <translation type="unfinished"></translation>
+        <translation>本身也待求的被接触平面不能确定长度：机械臂及其周围环境按同一因子放大时，接触的平面也按该因子更远。一个已知距离即可给出尺度。</translation>
     </message>
     <message>
         <source>Weights are the inverse variances of the readings. What readings share (the scale of the distances, an instrument&apos;s station, readings of the joints, known places) does not change the weights, but is propagated in full.</source>
-        <translation type="unfinished"></translation>
+        <translation>权为读数方差的倒数。读数共有的部分（距离的尺度、仪器的测站、关节的读数、已知位置）不改变权，但完整传播。</translation>
     </message>
     <message>
         <source>The identified robot stands where its base was found; compliances are reported and not part of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>所辨识的机器人位于其基座被求得之处；柔度会被报告，但不属于机器人。</translation>
     </message>
     <message>
         <source>In each trial the gain of the estimates is used. It differs from a complete fit by residual times curvature.</source>
-        <translation type="unfinished"></translation>
+        <translation>每次试验使用估计值处的增益。它与完整拟合相差残差乘以曲率。</translation>
     </message>
     <message>
         <source>The arm as designed: start of the fit, values of what the readings cannot tell, uncertainty of the readings of its joints, and the arm of a plan.</source>
-        <translation type="unfinished"></translation>
+        <translation>设计的机械臂：拟合的初值、读数无法确定的参数值、关节读数的不确定度，以及计划所用的机械臂。</translation>
     </message>
     <message>
         <source>Readings are</source>
-        <translation type="unfinished"></translation>
+        <translation>读数为</translation>
     </message>
     <message>
         <source>Measured. Or a plan: readings are those of the nominal robot, to see what an experiment would give.</source>
-        <translation type="unfinished"></translation>
+        <translation>实测。或计划：读数为标称机器人的读数，用于查看实验会给出什么。</translation>
     </message>
     <message>
         <source>a plan</source>
-        <translation type="unfinished"></translation>
+        <translation>计划</translation>
     </message>
     <message>
         <source>Balls and reflectors</source>
-        <translation type="unfinished"></translation>
+        <translation>球和反射器</translation>
     </message>
     <message>
         <source>What is measured on the last link.</source>
-        <translation type="unfinished"></translation>
+        <translation>末端连杆上被测量的对象。</translation>
     </message>
     <message>
         <source>Coordinate x in the frame of the last link; of one that is found: about.</source>
-        <translation type="unfinished"></translation>
+        <translation>在末端连杆坐标系中的坐标 x；待求者为近似值。</translation>
     </message>
     <message>
         <source>Coordinate y in the frame of the last link; of one that is found: about.</source>
-        <translation type="unfinished"></translation>
+        <translation>在末端连杆坐标系中的坐标 y；待求者为近似值。</translation>
     </message>
     <message>
         <source>Coordinate z in the frame of the last link; of one that is found: about.</source>
-        <translation type="unfinished"></translation>
+        <translation>在末端连杆坐标系中的坐标 z；待求者为近似值。</translation>
     </message>
     <message>
         <source>place is</source>
-        <translation type="unfinished"></translation>
+        <translation>位置为</translation>
     </message>
     <message>
         <source>Found by the fit, or known. Empty: found.</source>
-        <translation type="unfinished"></translation>
+        <translation>由拟合求得，或为已知。留空：由拟合求得。</translation>
     </message>
     <message>
         <source>known</source>
-        <translation type="unfinished"></translation>
+        <translation>已知</translation>
     </message>
     <message>
         <source>Standard uncertainty of each coordinate, where it is known.</source>
-        <translation type="unfinished"></translation>
+        <translation>位置已知时各坐标的标准不确定度。</translation>
     </message>
     <message>
         <source>Points and planes</source>
-        <translation type="unfinished"></translation>
+        <translation>点和平面</translation>
     </message>
     <message>
         <source>What distances are measured from.</source>
-        <translation type="unfinished"></translation>
+        <translation>距离由此起测。</translation>
     </message>
     <message>
         <source>is a</source>
-        <translation type="unfinished"></translation>
+        <translation>类型</translation>
     </message>
     <message>
         <source>A point: the centre of a ball, a wire&apos;s or a distance meter&apos;s zero. Or a plane.</source>
-        <translation type="unfinished"></translation>
+        <translation>点：球心、拉线传感器或测距仪的零点。或平面。</translation>
     </message>
     <message>
         <source>Coordinate x in the measuring frame, of the point or of any point of the plane; may be empty where it is found.</source>
-        <translation type="unfinished"></translation>
+        <translation>在测量坐标系中点的坐标 x，或平面上任意一点的坐标 x；待求时可以留空。</translation>
     </message>
     <message>
         <source>Coordinate y in the measuring frame, of the point or of any point of the plane; may be empty where it is found.</source>
-        <translation type="unfinished"></translation>
+        <translation>在测量坐标系中点的坐标 y，或平面上任意一点的坐标 y；待求时可以留空。</translation>
     </message>
     <message>
         <source>Coordinate z in the measuring frame, of the point or of any point of the plane; may be empty where it is found.</source>
-        <translation type="unfinished"></translation>
+        <translation>在测量坐标系中点的坐标 z，或平面上任意一点的坐标 z；待求时可以留空。</translation>
     </message>
     <message>
         <source>Coordinate x of the normal of a plane, to the side on which distances are positive; may be empty where it is found.</source>
-        <translation type="unfinished"></translation>
+        <translation>平面法线的坐标 x，指向距离为正的一侧；待求时可以留空。</translation>
     </message>
     <message>
         <source>Coordinate y of the normal of a plane, to the side on which distances are positive; may be empty where it is found.</source>
-        <translation type="unfinished"></translation>
+        <translation>平面法线的坐标 y，指向距离为正的一侧；待求时可以留空。</translation>
     </message>
     <message>
         <source>Coordinate z of the normal of a plane, to the side on which distances are positive; may be empty where it is found.</source>
-        <translation type="unfinished"></translation>
+        <translation>平面法线的坐标 z，指向距离为正的一侧；待求时可以留空。</translation>
     </message>
     <message>
         <source>Found by the fit, or known. Empty: known.</source>
-        <translation type="unfinished"></translation>
+        <translation>由拟合求得，或为已知。留空：已知。</translation>
     </message>
     <message>
         <source>Standard uncertainty of each coordinate of a known point, or of a known plane along its normal.</source>
-        <translation type="unfinished"></translation>
+        <translation>已知点各坐标的标准不确定度，或已知平面沿其法线的标准不确定度。</translation>
     </message>
     <message>
         <source>Readings of the joints.</source>
-        <translation type="unfinished"></translation>
+        <translation>关节的读数。</translation>
     </message>
     <message>
         <source>Torque of the load about the axis of joint 1, where compliances are found; empty: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>负载绕关节 1 的轴的力矩，用于求柔度；留空：无。</translation>
     </message>
     <message>
         <source>Torque of the load about the axis of joint 2, where compliances are found; empty: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>负载绕关节 2 的轴的力矩，用于求柔度；留空：无。</translation>
     </message>
     <message>
         <source>Torque of the load about the axis of joint 3, where compliances are found; empty: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>负载绕关节 3 的轴的力矩，用于求柔度；留空：无。</translation>
     </message>
     <message>
         <source>Torque of the load about the axis of joint 4, where compliances are found; empty: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>负载绕关节 4 的轴的力矩，用于求柔度；留空：无。</translation>
     </message>
     <message>
         <source>Torque of the load about the axis of joint 5, where compliances are found; empty: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>负载绕关节 5 的轴的力矩，用于求柔度；留空：无。</translation>
     </message>
     <message>
         <source>Torque of the load about the axis of joint 6, where compliances are found; empty: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>负载绕关节 6 的轴的力矩，用于求柔度；留空：无。</translation>
     </message>
     <message>
         <source>Torque of the load about the axis of joint 7, where compliances are found; empty: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>负载绕关节 7 的轴的力矩，用于求柔度；留空：无。</translation>
     </message>
     <message>
         <source>Distances of a target in one pose from a point, a plane, or its place in another pose: laser tracer, wire sensors, ballbar, dial gauge, probe on a ball plate.</source>
-        <translation type="unfinished"></translation>
+        <translation>一个位姿中的目标点到点、到平面或到其在另一位姿中的位置的距离：激光追踪仪、拉线传感器、球杆仪、千分表、球板上的测头。</translation>
     </message>
     <message>
         <source>Name of the pose in which the arm stood.</source>
-        <translation type="unfinished"></translation>
+        <translation>机械臂所处位姿的名称。</translation>
     </message>
     <message>
         <source>Name of the ball or reflector that was measured. Empty: the first.</source>
-        <translation type="unfinished"></translation>
+        <translation>所测球或反射器的名称。留空：第一个。</translation>
     </message>
     <message>
         <source>from a</source>
-        <translation type="unfinished"></translation>
+        <translation>起自</translation>
     </message>
     <message>
         <source>Distance of the target from a point; from a plane, on the side of its normal; or from where the same target is in another pose.</source>
-        <translation type="unfinished"></translation>
+        <translation>目标点到点的距离；到平面的距离，在其法线一侧为正；或到同一目标点在另一位姿中所在处的距离。</translation>
     </message>
     <message>
         <source>called</source>
-        <translation type="unfinished"></translation>
+        <translation>其名称</translation>
     </message>
     <message>
         <source>Name of the point, the plane or the other pose.</source>
-        <translation type="unfinished"></translation>
+        <translation>点、平面或另一位姿的名称。</translation>
     </message>
     <message>
         <source>Measured distance; 0 where the ball touches the plane. Not needed of a plan.</source>
-        <translation type="unfinished"></translation>
+        <translation>实测距离；球接触平面时为 0。计划不需要。</translation>
     </message>
     <message>
         <source>Standard uncertainty of this distance. Empty: that of all distances.</source>
-        <translation type="unfinished"></translation>
+        <translation>该距离的标准不确定度。留空：采用所有距离的值。</translation>
     </message>
     <message>
         <source>Name of an unknown that all distances of that name contain: zero of a wire sensor, length of a ballbar, radius of a ball. Empty: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>同名的所有距离都包含的未知量的名称：拉线传感器的零点、球杆仪的长度、球的半径。留空：无。</translation>
     </message>
     <message>
         <source>fit: taken into the fit. check: held back, to see how well the identified arm tells it. Empty: fit.</source>
-        <translation type="unfinished"></translation>
+        <translation>fit（拟合）：参与拟合。check（检核）：不参与拟合，用于查看所辨识的机械臂对其预测得如何。留空：fit。</translation>
     </message>
     <message>
         <source>Standard uncertainty of a distance</source>
-        <translation type="unfinished"></translation>
+        <translation>距离的标准不确定度</translation>
     </message>
     <message>
         <source>Of each distance that states none of its own, independent of all others.</source>
-        <translation type="unfinished"></translation>
+        <translation>适用于自身未给出不确定度的每个距离，与其他所有距离独立。</translation>
     </message>
     <message>
         <source>Relative standard uncertainty of their scale</source>
-        <translation type="unfinished"></translation>
+        <translation>其尺度的相对标准不确定度</translation>
     </message>
     <message>
         <source>All distances from points and between poses share it: the length standard, its temperature.</source>
-        <translation type="unfinished"></translation>
+        <translation>到点的和位姿间的所有距离所共有：长度标准、其温度。</translation>
     </message>
     <message>
         <source>Positions</source>
-        <translation type="unfinished"></translation>
+        <translation>位置</translation>
     </message>
     <message>
         <source>Coordinates of targets that an instrument measured, one or more targets in a pose.</source>
-        <translation type="unfinished"></translation>
+        <translation>仪器测得的目标点坐标，一个位姿中可有一个或多个目标点。</translation>
     </message>
     <message>
         <source>Measured coordinate x in the measuring frame. Not needed of a plan.</source>
-        <translation type="unfinished"></translation>
+        <translation>在测量坐标系中的实测坐标 x。计划不需要。</translation>
     </message>
     <message>
         <source>Measured coordinate y in the measuring frame. Not needed of a plan.</source>
-        <translation type="unfinished"></translation>
+        <translation>在测量坐标系中的实测坐标 y。计划不需要。</translation>
     </message>
     <message>
         <source>Measured coordinate z in the measuring frame. Not needed of a plan.</source>
-        <translation type="unfinished"></translation>
+        <translation>在测量坐标系中的实测坐标 z。计划不需要。</translation>
     </message>
     <message>
         <source>Found by the fit: points, planes and the instrument stand anywhere. Known: the base stands where the robot says it stands, and places are given or found relative to it.</source>
-        <translation type="unfinished"></translation>
+        <translation>由拟合求得：点、平面和仪器可设于任意处。已知：基座位于机器人所给出的位置，各位置相对于它给出或求得。</translation>
     </message>
     <message>
         <source>Compliance of the joints</source>
-        <translation type="unfinished"></translation>
+        <translation>关节的柔度</translation>
     </message>
     <message>
         <source>Found: each joint gives way in proportion to the torque of the load about it. Not in the model.</source>
-        <translation type="unfinished"></translation>
+        <translation>由拟合求得：每个关节的偏转与负载绕它的力矩成正比。或不在模型中。</translation>
     </message>
     <message>
         <source>not in the model</source>
-        <translation type="unfinished"></translation>
+        <translation>不在模型中</translation>
     </message>
     <message>
         <source>Parameters that stay nominal although the readings could tell them.</source>
-        <translation type="unfinished"></translation>
+        <translation>虽可由读数确定、但仍保持标称值的参数。</translation>
     </message>
     <message>
         <source>As stated; or as the residuals of this fit see them: stated ones times one common factor, or times the factor of each figure (variance components). Either has the degrees of freedom of its estimate. What all readings share stays as stated.</source>
-        <translation type="unfinished"></translation>
+        <translation>按给出值；或按本次拟合的残差所见的值：给出值乘以一个共同的系数，或乘以每个指标各自的系数（方差分量）。后两者均具有其估计的自由度。所有读数共有的部分保持给出值。</translation>
     </message>
     <message>
         <source>Parameters of an arm from what can be measured without poses.</source>
-        <translation type="unfinished"></translation>
+        <translation>由无需位姿即可测得的量求机械臂的参数。</translation>
     </message>
     <message>
         <source>A robot identified without poses</source>
-        <translation type="unfinished"></translation>
+        <translation>不用位姿辨识的机器人</translation>
     </message>
     <message>
         <source>An arm of six joints from what can be measured without poses: distances from points, touched planes with distances between poses, positions of reflectors.</source>
-        <translation type="unfinished"></translation>
+        <translation>由无需位姿即可测得的量求六关节机械臂：到点的距离、被接触的平面加位姿间的距离、反射器的位置。</translation>
     </message>
     <message>
         <source>distances from points</source>
-        <translation type="unfinished"></translation>
+        <translation>到点的距离</translation>
     </message>
     <message>
         <source>distances from planes</source>
-        <translation type="unfinished"></translation>
+        <translation>到平面的距离</translation>
     </message>
     <message>
         <source>%1: the residual is %2 times its standard uncertainty (limit %3). Look at this reading first; hold it back by use = check</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：残差是其标准不确定度的 %2 倍（限值 %3）。请先查看此读数；设 use = check（用途 = 检核）可将其留作检验</translation>
     </message>
     <message>
         <source>the residuals are %1 times as large as the uncertainties of the readings explain: there is more than these (a joint&apos;s elasticity, temperature, an outlier), and the uncertainty of the parameters is stated too small</source>
-        <translation type="unfinished"></translation>
+        <translation>残差是读数的不确定度所能解释的 %1 倍：还有其他因素（关节的弹性、温度、离群值），所给出的参数不确定度过小</translation>
     </message>
     <message>
         <source>no parameter of the arm can be told from these readings: every one of them is coupled with others or held</source>
-        <translation type="unfinished"></translation>
+        <translation>由这些读数不能得出机械臂的任何参数：每个参数都与其他参数耦合或被固定</translation>
     </message>
     <message>
         <source>the fit has %1 readings, no more than there are unknowns to find (%2): measure more, or hold parameters</source>
-        <translation type="unfinished"></translation>
+        <translation>拟合有 %1 个读数，不多于待求的未知数（%2 个）：请测量更多，或固定参数</translation>
     </message>
     <message>
         <source>gives the scale, which the readings do not tell: all lengths of the arm may be larger by one factor</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>these readings do not tell the scale: all lengths of the arm, and how far away the planes are, may be larger by one factor. %1 is held at its nominal value, the other lengths are as certain as it is; a distance between two poses or from a known point gives the scale</source>
-        <translation type="unfinished"></translation>
+        <translation>用于给出读数不能确定的尺度：机械臂的所有长度可能按同一因子偏大</translation>
     </message>
     <message>
         <source>%1: calculated less measured, held back</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：计算值减测得值，留作检验</translation>
     </message>
     <message>
         <source>compliance of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的柔度</translation>
     </message>
     <message>
         <source>zero %1</source>
-        <translation type="unfinished"></translation>
+        <translation>零点 %1</translation>
     </message>
     <message>
         <source>distance of plane %1 from the origin</source>
-        <translation type="unfinished"></translation>
+        <translation>平面 %1 到原点的距离</translation>
     </message>
     <message>
         <source>distance from a point, from another pose</source>
-        <translation type="unfinished"></translation>
+        <translation>到点的距离，到另一位姿的距离</translation>
     </message>
     <message>
         <source>distance from a plane, 0 where it is touched</source>
-        <translation type="unfinished"></translation>
+        <translation>到平面的距离，接触时为 0</translation>
     </message>
     <message>
         <source>where compliances are found</source>
-        <translation type="unfinished"></translation>
+        <translation>用于求柔度</translation>
     </message>
     <message>
         <source>JCGM 102 6.2, with all that readings share</source>
-        <translation type="unfinished"></translation>
+        <translation>JCGM 102 6.2，计入读数的所有共同部分</translation>
     </message>
     <message>
         <source>nothing is measured: give distances or positions</source>
-        <translation type="unfinished"></translation>
+        <translation>没有测量任何内容：请给出距离或位置</translation>
     </message>
     <message>
         <source>two of them are called %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>at most %1 of them are taken, and there are %2</source>
-        <translation type="unfinished"></translation>
+        <translation>其中有两个名为 %1</translation>
     </message>
     <message>
         <source>a plan must say where %1 is: give %2</source>
-        <translation type="unfinished"></translation>
+        <translation>计划必须说明 %1 的位置：请给出 %2</translation>
     </message>
     <message>
         <source>%1 is known, but where it is is not said: give %2, or let the fit find it</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 为已知，但未说明其位置：请给出 %2，或由拟合求得</translation>
     </message>
     <message>
         <source>joint %1 slides: a compliance is found of joints that turn</source>
-        <translation type="unfinished"></translation>
+        <translation>关节 %1 是移动关节：只对转动关节求柔度</translation>
     </message>
     <message>
         <source>joint %1 slides: its reading is %2</source>
-        <translation type="unfinished"></translation>
+        <translation>关节 %1 是移动关节：其读数为 %2</translation>
     </message>
     <message>
         <source>joint %1 turns: its reading is %2</source>
-        <translation type="unfinished"></translation>
+        <translation>关节 %1 是转动关节：其读数为 %2</translation>
     </message>
     <message>
         <source>there is no pose &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>没有位姿 &apos;%1&apos;</translation>
     </message>
     <message>
         <source>there is no ball or reflector &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>没有球或反射器 &apos;%1&apos;</translation>
     </message>
     <message>
         <source>%1 from %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 到 %2</translation>
     </message>
     <message>
         <source>a distance from a pose to itself is 0</source>
-        <translation type="unfinished"></translation>
+        <translation>位姿到其自身的距离为 0</translation>
     </message>
     <message>
         <source>this distance was not measured: give its value or take its row out</source>
-        <translation type="unfinished"></translation>
+        <translation>此距离未测量：请给出其值，或删除其所在行</translation>
     </message>
     <message>
         <source>a distance from a point or pose is above zero</source>
-        <translation type="unfinished"></translation>
+        <translation>到点或位姿的距离大于零</translation>
     </message>
     <message>
         <source>there is no plane &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>没有平面 &apos;%1&apos;</translation>
     </message>
     <message>
         <source>there is no point &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>没有点 &apos;%1&apos;</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is a point and no plane</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; 是点而不是平面</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is a plane and no point</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; 是平面而不是点</translation>
     </message>
     <message>
         <source>this position was not measured: give x, y and z or take its row out</source>
-        <translation type="unfinished"></translation>
+        <translation>此位置未测量：请给出 x、y 和 z，或删除其所在行</translation>
     </message>
     <message>
         <source>scale of the distances</source>
-        <translation type="unfinished"></translation>
+        <translation>距离的尺度</translation>
     </message>
     <message>
         <source>measured distance</source>
-        <translation type="unfinished"></translation>
+        <translation>实测距离</translation>
     </message>
     <message>
         <source>known place</source>
-        <translation type="unfinished"></translation>
+        <translation>已知位置</translation>
     </message>
     <message>
         <source>plane %1, along its normal</source>
-        <translation type="unfinished"></translation>
+        <translation>平面 %1，沿其法线</translation>
     </message>
     <message>
         <source>tilt %1</source>
-        <translation type="unfinished"></translation>
+        <translation>倾斜 %1</translation>
     </message>
     <message>
         <source>Nominal: the same surroundings fitted with the nominal parameters. E_n = |d|/U: below 1 the reading agrees with the calibration.</source>
-        <translation type="unfinished"></translation>
+        <translation>标称：用标称参数拟合的同一周围环境。E_n = |d|/U：小于 1 时该读数与校准一致。</translation>
     </message>
     <message>
         <source>readings in the fit</source>
-        <translation type="unfinished"></translation>
+        <translation>拟合中的读数</translation>
     </message>
     <message>
         <source>measured distances</source>
-        <translation type="unfinished"></translation>
+        <translation>实测距离</translation>
     </message>
     <message>
         <source>known places</source>
-        <translation type="unfinished"></translation>
+        <translation>已知位置</translation>
     </message>
     <message>
         <source>What was found beside the parameters</source>
-        <translation type="unfinished"></translation>
+        <translation>参数之外求得的量</translation>
     </message>
     <message>
         <source>over its u</source>
-        <translation type="unfinished"></translation>
+        <translation>与其 u 之比</translation>
     </message>
     <message>
         <source>Readings held back from the fit, calculated less measured</source>
-        <translation type="unfinished"></translation>
+        <translation>未参与拟合的读数，计算值减测量值</translation>
     </message>
     <message>
         <source>U (k = 2)</source>
-        <translation type="unfinished"></translation>
+        <translation>U (k = 2)</translation>
     </message>
     <message>
         <source>Hand-eye calibration</source>
-        <translation type="unfinished"></translation>
+        <translation>手眼标定</translation>
     </message>
     <message>
         <source>Where an instrument on a robot&apos;s flange is and where its target stands, or the other way round (A X = Z B), with covariance, residuals and validation.</source>
-        <translation type="unfinished"></translation>
+        <translation>求机器人法兰上的仪器位于何处及其目标位于何处，或反之（A X = Z B），含协方差、残差和验证。</translation>
     </message>
     <message>
         <source>Least squares is on what was measured, and not on A X = Z B itself: an error of a rotation counts by its own u, and not by the lever of X.</source>
-        <translation type="unfinished"></translation>
+        <translation>最小二乘针对测得的量，而不是 A X = Z B 本身：转动的误差按其自身的 u 计入，而不按 X 的力臂。</translation>
     </message>
     <message>
         <source>Errors of the arm are taken to be independent from pose to pose; an arm that is wrong by its parameters shows larger residuals, and an identified robot is the better way.</source>
-        <translation type="unfinished"></translation>
+        <translation>机械臂的误差视为在各位姿之间相互独立；参数有误的机械臂会显示较大的残差，此时所辨识的机器人是更好的途径。</translation>
     </message>
     <message>
         <source>Where all turns of the flange are about one direction, the position along it is not told and named.</source>
-        <translation type="unfinished"></translation>
+        <translation>法兰的所有转动都绕同一方向时，沿该方向的位置不能确定，并列出其名称。</translation>
     </message>
     <message>
         <source>The flange carries</source>
-        <translation type="unfinished"></translation>
+        <translation>法兰携带</translation>
     </message>
     <message>
         <source>The instrument (a camera on the hand), which measures a target that stands still. Or the target, which an instrument that stands still measures.</source>
-        <translation type="unfinished"></translation>
+        <translation>仪器（手上的相机），测量静止的目标。或目标，由静止的仪器测量。</translation>
     </message>
     <message>
         <source>the instrument</source>
-        <translation type="unfinished"></translation>
+        <translation>仪器</translation>
     </message>
     <message>
         <source>the target</source>
-        <translation type="unfinished"></translation>
+        <translation>目标</translation>
     </message>
     <message>
         <source>Poses of the flange, and where the instrument saw the target in each.</source>
-        <translation type="unfinished"></translation>
+        <translation>法兰的位姿，以及在每个位姿中仪器所见目标的位置。</translation>
     </message>
     <message>
         <source>fit: taken into the fit. check: held back, to see how well the result tells it. Empty: fit.</source>
-        <translation type="unfinished"></translation>
+        <translation>fit（拟合）：参与拟合。check（检核）：不参与拟合，用于查看结果对其预测得如何。留空：fit。</translation>
     </message>
     <message>
         <source>Coordinate x of the flange in the frame of the robot&apos;s base, as the controller says.</source>
-        <translation type="unfinished"></translation>
+        <translation>控制器给出的法兰在机器人基坐标系中的坐标 x。</translation>
     </message>
     <message>
         <source>Coordinate y of the flange in the frame of the robot&apos;s base, as the controller says.</source>
-        <translation type="unfinished"></translation>
+        <translation>控制器给出的法兰在机器人基坐标系中的坐标 y。</translation>
     </message>
     <message>
         <source>Coordinate z of the flange in the frame of the robot&apos;s base, as the controller says.</source>
-        <translation type="unfinished"></translation>
+        <translation>控制器给出的法兰在机器人基坐标系中的坐标 z。</translation>
     </message>
     <message>
         <source>Angle of the flange&apos;s orientation, R = Rz(gamma) Ry(beta) Rx(alpha): W, P, R of some controllers, C, B, A of others.</source>
-        <translation type="unfinished"></translation>
+        <translation>法兰姿态的角度，R = Rz(gamma) Ry(beta) Rx(alpha)：某些控制器的 W、P、R，另一些的 C、B、A。</translation>
     </message>
     <message>
         <source>Coordinate of the target in the frame of the instrument, as measured.</source>
-        <translation type="unfinished"></translation>
+        <translation>目标在仪器坐标系中的实测坐标。</translation>
     </message>
     <message>
         <source>Angle of the target&apos;s orientation in the frame of the instrument, composed likewise; empty in all rows where points alone are measured.</source>
-        <translation type="unfinished"></translation>
+        <translation>目标在仪器坐标系中的姿态角度，按同样方式组合；只测量点时所有行均留空。</translation>
     </message>
     <message>
         <source>Measured positions</source>
-        <translation type="unfinished"></translation>
+        <translation>实测位置</translation>
     </message>
     <message>
         <source>Standard uncertainty of each measured coordinate, independent.</source>
-        <translation type="unfinished"></translation>
+        <translation>每个实测坐标的标准不确定度，彼此独立。</translation>
     </message>
     <message>
         <source>Measured orientations</source>
-        <translation type="unfinished"></translation>
+        <translation>实测姿态</translation>
     </message>
     <message>
         <source>Standard uncertainty of the measured rotation about each axis of the target, independent.</source>
-        <translation type="unfinished"></translation>
+        <translation>绕目标各轴的实测转动的标准不确定度，彼此独立。</translation>
     </message>
     <message>
         <source>Positions of the flange</source>
-        <translation type="unfinished"></translation>
+        <translation>法兰的位置</translation>
     </message>
     <message>
         <source>Standard uncertainty of each coordinate of the flange, independent in each pose: repeatability, errors of the arm.</source>
-        <translation type="unfinished"></translation>
+        <translation>法兰各坐标的标准不确定度，在每个位姿中独立：重复性、机械臂的误差。</translation>
     </message>
     <message>
         <source>Orientations of the flange</source>
-        <translation type="unfinished"></translation>
+        <translation>法兰的姿态</translation>
     </message>
     <message>
         <source>Standard uncertainty of the rotation about each axis of the flange, independent in each pose.</source>
-        <translation type="unfinished"></translation>
+        <translation>绕法兰各轴的转动的标准不确定度，在每个位姿中独立。</translation>
     </message>
     <message>
         <source>Where a camera is on the flange, or a tracker beside the robot.</source>
-        <translation type="unfinished"></translation>
+        <translation>求法兰上的相机的位置，或机器人旁的跟踪仪的位置。</translation>
     </message>
     <message>
         <source>A camera on the hand of a robot, a tracker beside it</source>
-        <translation type="unfinished"></translation>
+        <translation>机器人手上的相机，机器人旁的跟踪仪</translation>
     </message>
     <message>
         <source>Where a camera is on the flange and a board in the cell, and where a tracker stands and a reflector is on the flange.</source>
-        <translation type="unfinished"></translation>
+        <translation>求法兰上的相机和单元中的标定板位于何处，以及跟踪仪和法兰上的反射器位于何处。</translation>
     </message>
     <message>
         <source>orientations of the flange</source>
-        <translation type="unfinished"></translation>
+        <translation>法兰的姿态</translation>
     </message>
     <message>
         <source>positions of the flange</source>
-        <translation type="unfinished"></translation>
+        <translation>法兰的位置</translation>
     </message>
     <message>
         <source>these poses hardly tell %1 apart (condition %2): turn the flange further, about other axes</source>
-        <translation type="unfinished"></translation>
+        <translation>这些位姿几乎不能区分 %1（条件数 %2）：请使法兰绕其他轴转得更远</translation>
     </message>
     <message>
         <source>pose %1: a residual is %2 times its standard uncertainty (limit %3). Look at this pose first; hold it back by use = check</source>
-        <translation type="unfinished"></translation>
+        <translation>位姿 %1：有一个残差是其标准不确定度的 %2 倍（限值 %3）。请先查看此位姿；设 use = check（用途 = 检核）可将其留作检验</translation>
     </message>
     <message>
         <source>the residuals are %1 times as large as the stated uncertainties explain: errors of the arm, of the instrument, an outlier; X and Z are then less certain than stated</source>
-        <translation type="unfinished"></translation>
+        <translation>残差是所给出的不确定度所能解释的 %1 倍：机械臂的误差、仪器的误差、离群值；此时 X 和 Z 的不确定度比给出的更大</translation>
     </message>
     <message>
         <source>the fit does not converge: look for exchanged poses, angles in another order or unit, and for what the flange carries</source>
-        <translation type="unfinished"></translation>
+        <translation>拟合不收敛：请查找对调的位姿、顺序或单位不同的角度，并检查法兰所携带的是什么</translation>
     </message>
     <message>
         <source>at the solution X and Z cannot be told apart</source>
-        <translation type="unfinished"></translation>
+        <translation>在解处不能区分 X 和 Z</translation>
     </message>
     <message>
         <source>E_n = |d|/U: below 1 the pose agrees with the calibration.</source>
-        <translation type="unfinished"></translation>
+        <translation>E_n = |d|/U：小于 1 时该位姿与校准一致。</translation>
     </message>
     <message>
         <source>instrument in the frame of the flange</source>
-        <translation type="unfinished"></translation>
+        <translation>仪器在法兰坐标系中</translation>
     </message>
     <message>
         <source>target in the frame of the base</source>
-        <translation type="unfinished"></translation>
+        <translation>目标在基坐标系中</translation>
     </message>
     <message>
         <source>target in the frame of the flange</source>
-        <translation type="unfinished"></translation>
+        <translation>目标在法兰坐标系中</translation>
     </message>
     <message>
         <source>instrument in the frame of the base</source>
-        <translation type="unfinished"></translation>
+        <translation>仪器在基坐标系中</translation>
     </message>
     <message>
         <source>instrument %1</source>
-        <translation type="unfinished"></translation>
+        <translation>仪器 %1</translation>
     </message>
     <message>
         <source>start: linear in both rotations, then in both positions</source>
-        <translation type="unfinished"></translation>
+        <translation>初值：先对两个转动作线性求解，再对两个位置作线性求解</translation>
     </message>
     <message>
         <source>the fit has %1 poses; it needs %2 or more</source>
-        <translation type="unfinished"></translation>
+        <translation>拟合有 %1 个位姿；需要 %2 个或更多</translation>
     </message>
     <message>
         <source>pose %1: its measured orientation is missing; give alpha_m, beta_m and gamma_m of every pose, or of none</source>
-        <translation type="unfinished"></translation>
+        <translation>位姿 %1：缺少其实测姿态；请给出每个位姿的 alpha_m、beta_m 和 gamma_m，或全部不给</translation>
     </message>
     <message>
         <source>measured pose</source>
-        <translation type="unfinished"></translation>
+        <translation>实测位姿</translation>
     </message>
     <message>
         <source>pose of the flange</source>
-        <translation type="unfinished"></translation>
+        <translation>法兰的位姿</translation>
     </message>
     <message>
         <source>pose %1, %2, rotation about %3</source>
-        <translation type="unfinished"></translation>
+        <translation>位姿 %1，%2，绕 %3 的旋转</translation>
     </message>
     <message>
         <source>pose %1, %2, %3</source>
-        <translation type="unfinished"></translation>
+        <translation>位姿 %1，%2，%3</translation>
     </message>
     <message>
         <source>measured poses</source>
-        <translation type="unfinished"></translation>
+        <translation>实测位姿</translation>
     </message>
     <message>
         <source>poses of the flange</source>
-        <translation type="unfinished"></translation>
+        <translation>法兰的位姿</translation>
+    </message>
+    <message>
+        <source>The residuals of more than %1 readings are not divided between their figures: uncertainties stay as stated; one factor for all of them can be had</source>
+        <translation>读数超过 %1 个时，残差不在其各指标之间分配：不确定度保持给出值；可以对全部读数采用一个系数</translation>
+    </message>
+    <message>
+        <source>the readings contradict each other so much that the search for the places of the points went astray: look for exchanged or mistyped readings, for a unit or the sense of angles that was mixed up, and for coordinates that are far off</source>
+        <translation>读数相互矛盾过大，以致对各点位置的搜索偏离正途：请查找对调或误输的读数、弄混的单位或角度增大方向，以及偏离很远的坐标</translation>
+    </message>
+    <message>
+        <source>the readings agree if %1 are feet that were typed as m</source>
+        <translation>如果%1是误按 m 输入的英尺值，则读数一致</translation>
+    </message>
+    <message>
+        <source>the readings agree if the %1 is in mm and was typed as m</source>
+        <translation>如果%1以 mm 为单位却误按 m 输入，则读数一致</translation>
+    </message>
+    <message>
+        <source>the readings agree if angles grow the other way round: the sense of angles, clockwise or counter-clockwise, is probably the other one, or x and y are exchanged</source>
+        <translation>如果角度按相反方向增大，则读数一致：角度的方向（顺时针或逆时针）很可能相反，或 x 与 y 对调</translation>
+    </message>
+    <message>
+        <source>the readings agree if the coordinates of %1 are mm that were typed as m</source>
+        <translation>如果%1的坐标是误按 m 输入的 mm，则读数一致</translation>
+    </message>
+    <message>
+        <source>the readings agree if the coordinates of %1 are feet that were typed as m</source>
+        <translation>如果%1的坐标是误按 m 输入的英尺值，则读数一致</translation>
+    </message>
+    <message>
+        <source>all points</source>
+        <translation>所有点</translation>
+    </message>
+    <message>
+        <source>the known points</source>
+        <translation>已知点</translation>
+    </message>
+    <message>
+        <source>lengths in mm that were typed as m</source>
+        <translation>误按 m 输入的 mm 长度</translation>
+    </message>
+    <message>
+        <source>coordinates in mm that were typed as m</source>
+        <translation>误按 m 输入的 mm 坐标</translation>
+    </message>
+    <message>
+        <source>lengths in feet that were typed as m</source>
+        <translation>误按 m 输入的英尺长度</translation>
+    </message>
+    <message>
+        <source>coordinates in feet that were typed as m</source>
+        <translation>误按 m 输入的英尺坐标</translation>
+    </message>
+    <message>
+        <source>the readings draw a network %1 times as large as the approximate coordinates of the datum do: look for %2</source>
+        <translation>由读数绘出的网的大小是由基准点近似坐标绘出的网的 %1 倍：请查找%2</translation>
+    </message>
+    <message>
+        <source>the readings draw a network %1 times as large as the approximate coordinates of the datum do: look for a wrong unit or scale</source>
+        <translation>由读数绘出的网的大小是由基准点近似坐标绘出的网的 %1 倍：请查找错误的单位或尺度</translation>
+    </message>
+    <message>
+        <source>the approximate coordinates of the datum agree with the readings if those of %1 and %2 are exchanged</source>
+        <translation>如果将 %1 和 %2 的坐标对调，则基准点的近似坐标与读数一致</translation>
+    </message>
+    <message>
+        <source>the approximate coordinates of the datum agree with the readings but for those of %1: look for a mistyped one</source>
+        <translation>除 %1 的坐标外，基准点的近似坐标与读数一致：请查找误输的坐标</translation>
+    </message>
+    <message>
+        <source>the readings draw the mirror image of what the approximate coordinates of the datum do: the sense of angles, clockwise or counter-clockwise, is probably the other one, or x and y are exchanged</source>
+        <translation>由读数绘出的网是由基准点近似坐标绘出的网的镜像：角度的方向（顺时针或逆时针）很可能相反，或 x 与 y 对调</translation>
+    </message>
+    <message>
+        <source>the readings draw the mirror image of what the approximate coordinates of the datum do: x and y are probably exchanged</source>
+        <translation>由读数绘出的网是由基准点近似坐标绘出的网的镜像：x 与 y 很可能对调</translation>
+    </message>
+    <message>
+        <source>distances alone do not tell the network of %1 from its mirror image: state approximate coordinates of four of its points that are not all in a plane</source>
+        <translation>仅凭距离不能区分 %1 的网与其镜像：请给出其中不全在一个平面内的四个点的近似坐标</translation>
+    </message>
+    <message>
+        <source>the distances fit as well where %1 are mirrored in the plane of %2: state an approximate coordinate that tells the side, or add a reading that does</source>
+        <translation>将 %1 以 %2 的平面作镜像后，距离同样符合：请给出能确定在哪一侧的近似坐标，或添加能确定这一点的读数</translation>
+    </message>
+    <message>
+        <source>the distances fit as well with %1 on the other side of the plane of %2, at (%3, %4, %5) m: state an approximate coordinate that tells the side, or add a reading that does</source>
+        <translation>%1 位于 %2 的平面的另一侧 (%3, %4, %5) m 处时，距离同样符合：请给出能确定在哪一侧的近似坐标，或添加能确定这一点的读数</translation>
+    </message>
+    <message>
+        <source>%1 lies so near to the plane of %2 that the distances hardly tell how far from it: %3 m, with u = %4 m, which is no more than its order: add a reading to %1 from outside of the plane, or one of its height</source>
+        <translation>%1 离 %2 的平面太近，距离几乎不能确定它离平面多远：%3 m，u = %4 m，这只是其数量级：请添加从平面之外到 %1 的读数，或其高程的读数</translation>
+    </message>
+    <message>
+        <source>and %1 more points with a mirror image that fits as well</source>
+        <translation>另有 %1 个点的镜像同样符合</translation>
+    </message>
+    <message>
+        <source>changes no reading</source>
+        <translation>不改变任何读数</translation>
+    </message>
+    <message>
+        <source>the fit does not converge: look for exchanged poses, readings of the wrong sign or in another unit, a base far from where the robot says it stands, and for a nominal robot that is another arm</source>
+        <translation>拟合不收敛：请查找对调的位姿、符号或单位错误的读数、远离机器人所给位置的基座，以及是否为另一种机械臂的标称机器人</translation>
+    </message>
+    <message>
+        <source>The readings hardly tell the scale: all lengths may be larger by one factor. %1 takes part with its nominal value, as uncertain as the nominal robot states</source>
+        <translation>读数几乎不能确定尺度：所有长度可能按同一因子偏大。%1 以其标称值参与，其不确定度为标称机器人所给出的值</translation>
+    </message>
+    <message>
+        <source>The readings do not tell the scale: all lengths may be larger by one factor. %1 is held at its nominal value, of which the nominal robot states no uncertainty: the other lengths are no more certain than it is</source>
+        <translation>读数不能确定尺度：所有长度可能按同一因子偏大。%1 固定在其标称值，标称机器人未给出其不确定度：其他长度不会比它更可靠</translation>
+    </message>
+    <message>
+        <source>%1. A length that is known gives the scale: distances between poses, or from several known points</source>
+        <translation>%1。已知的长度可给出尺度：位姿间的距离，或到若干已知点的距离</translation>
+    </message>
+    <message>
+        <source>nominal %1</source>
+        <translation>标称 %1</translation>
+    </message>
+    <message>
+        <source>pose %1 lacks its reading %2, which other poses have</source>
+        <translation>位姿 %1 缺少其读数 %2，而其他位姿具有该读数</translation>
+    </message>
+    <message>
+        <source>at most %1 %2 are taken</source>
+        <translation>最多取 %1 个%2</translation>
+    </message>
+    <message>
+        <source>balls and reflectors</source>
+        <translation>球和反射器</translation>
+    </message>
+    <message>
+        <source>points and planes</source>
+        <translation>点和平面</translation>
+    </message>
+    <message>
+        <source>a ball on the arm is called %1, too</source>
+        <translation>机械臂上有一个球也名为 %1</translation>
+    </message>
+    <message>
+        <source>zeros</source>
+        <translation>零点</translation>
+    </message>
+    <message>
+        <source>nominal robot</source>
+        <translation>标称机器人</translation>
     </message>
 </context>
 <context>

@@ -93,8 +93,9 @@ struct Calibration : StatedCalibration {
     std::vector<Unknown> unknowns;
     std::vector<double> solution;  ///< estimates of the unknowns; rotations of base and tool from X_MB, X_FT
     std::vector<HeldParameter> held;
-    Eigen::MatrixXd gain;         ///< unknowns by rows of the fit
-    std::vector<double> weights;  ///< weights of the rows of the fit
+    Eigen::MatrixXd gain;           ///< unknowns by rows of the fit
+    std::vector<double> inverse_u;  ///< of the unknowns
+    std::vector<double> weights;    ///< weights of the rows of the fit
     PoseStatistics statistics;
     InputSet inputs;
 
@@ -186,33 +187,22 @@ void residuals(const Calibration& c, const MeasuredPose& pose, const CalibratedA
     r[5] = Real(0.5) * (turned(1, 0) - turned(0, 1));
 }
 
-/// Steps with the gain at the estimates; each reduces what is missing by the factor by which the gain changes
-/// within a trial (below 1e-3), so four leave rounding.
-inline constexpr int gain_steps = 4;
-
 /// Unknowns in their order (rotations of base and tool as angles of their pose), then the deviations of the
 /// check poses, calculated less measured.
 template <class Real, class In, class Set>
 mask_of<Real> evaluate(const Calibration& c, const In& x, Set set) {
-    using namespace real_functions;
     const std::size_t n = c.unknowns.size(), m = c.rows_per_pose();
-    std::array<Real, most_unknowns> v, step;
-    for (std::size_t i = 0; i < n; ++i) v[i] = Real(c.solution[i]);
+    std::array<Real, most_unknowns> v;
     std::array<Real, 6> r;
-    for (int k = 0; k < gain_steps; ++k) {
-        const CalibratedArm<Real> arm = arm_of<Real>(c, v);
-        for (std::size_t i = 0; i < n; ++i) step[i] = Real(0.0);
-        for (std::size_t pose = 0; pose < c.fitted_poses; ++pose) {
-            residuals<Real>(c, c.poses[pose], arm, x, r.data());
-            for (std::size_t row = 0; row < m; ++row) {
-                const double* column = &c.gain(0, static_cast<Eigen::Index>(pose * m + row));
-                for (std::size_t i = 0; i < n; ++i) step[i] += Real(column[i]) * r[row];
+    for (std::size_t i = 0; i < n; ++i) v[i] = Real(c.solution[i]);
+    const auto settled =
+        identification::follow_gain<Real>(c.gain, c.inverse_u, v, [&](const auto& at, const auto& add) {
+            const CalibratedArm<Real> arm = arm_of<Real>(c, at);
+            for (std::size_t pose = 0; pose < c.fitted_poses; ++pose) {
+                residuals<Real>(c, c.poses[pose], arm, x, r.data());
+                for (std::size_t row = 0; row < m; ++row) add(pose * m + row, r[row]);
             }
-        }
-        for (std::size_t i = 0; i < n; ++i) v[i] += step[i];
-    }
-    Real last(0.0);
-    for (std::size_t i = 0; i < n; ++i) last += step[i] * step[i];
+        });
     const CalibratedArm<Real> arm = arm_of<Real>(c, v);
     const Vector3<Real> base = zyx_from_rotation(arm.R_MB), tool = zyx_from_rotation(arm.R_FT);
     for (std::size_t i = 0; i < n; ++i) {
@@ -225,7 +215,7 @@ mask_of<Real> evaluate(const Calibration& c, const In& x, Set set) {
         residuals<Real>(c, c.poses[pose], arm, x, r.data());
         for (std::size_t k = 0; k < 3; ++k) set(n + 3 * (pose - c.fitted_poses) + k, Real(-r[k]));
     }
-    return last < Real(1e-20);
+    return settled;
 }
 
 }  // namespace covaria::pose_calibration

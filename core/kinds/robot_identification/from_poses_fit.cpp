@@ -297,6 +297,7 @@ private:
         PoseStatistics& s = c_.statistics;
         const MatrixXd from_inputs = residual_sensitivity(fitted(c_));
         take_statistics(s, gain, residuals_of(c_, c_.solution, fitted(c_)), design, from_inputs, w_);
+        c_.inverse_u = identification::inverse_uncertainties(s.covariance);
         if (!c_.simulated) find_evidence(c_, design, from_inputs);
         if (checks(c_).count() == 0) return;
         const MatrixXd D = jacobian_of(c_, c_.solution, checks(c_)) * (c_.gain * from_inputs) -

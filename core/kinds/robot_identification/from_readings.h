@@ -339,12 +339,6 @@ void residuals(const Identification& id, std::size_t first, std::size_t last, co
     }
 }
 
-/// Steps with the gain at the estimates; each reduces what is missing by the factor by which the gain changes
-/// within a trial. Derivatives are there after the first.
-inline constexpr int fewest_gain_steps = 4, most_gain_steps = 60;
-/// A trial is settled where its last step is below this part of the standard uncertainty of each unknown.
-inline constexpr double settled_step = 1e-6;
-
 /// Values of a trial that are reported beside the unknowns themselves.
 template <class Real>
 struct Found {
@@ -355,26 +349,13 @@ struct Found {
 /// Unknowns in `found`, then `deviation(i, value)` of the rows held back, calculated less measured.
 template <class Real, class In, class Set>
 mask_of<Real> evaluate(const Identification& id, const In& x, Found<Real>& found, Set deviation) {
-    using namespace real_functions;
-    const std::size_t n = id.unknowns.size();
-    std::array<Real, most_unknowns> step;
     auto& v = found.v;
-    for (std::size_t i = 0; i < n; ++i) v[i] = Real(id.solution[i]);
-    mask_of<Real> settled(false);
-    for (int k = 0; k < most_gain_steps && (k < fewest_gain_steps || !all(settled)); ++k) {
-        scene_of<Real>(id, v, x, found.scene);
-        for (std::size_t i = 0; i < n; ++i) step[i] = Real(0.0);
-        residuals<Real>(id, 0, id.fitted_rows, found.scene, x, [&](std::size_t row, const Real& r) {
-            const double* column = &id.gain(0, static_cast<Eigen::Index>(row));
-            for (std::size_t i = 0; i < n; ++i) step[i] += Real(column[i]) * r;
+    for (std::size_t i = 0; i < id.unknowns.size(); ++i) v[i] = Real(id.solution[i]);
+    const auto settled =
+        identification::follow_gain<Real>(id.gain, id.inverse_u, v, [&](const auto& at, const auto& add) {
+            scene_of<Real>(id, at, x, found.scene);
+            residuals<Real>(id, 0, id.fitted_rows, found.scene, x, add);
         });
-        Real largest(0.0);
-        for (std::size_t i = 0; i < n; ++i) {
-            v[i] += step[i];
-            largest = max(largest, Real(abs(step[i]) * Real(id.inverse_u[i])));
-        }
-        settled = largest < Real(settled_step);
-    }
     scene_of<Real>(id, v, x, found.scene);
     residuals<Real>(id, id.fitted_rows, id.rows.size(), found.scene, x,
                     [&](std::size_t row, const Real& r) { deviation(row, Real(-r)); });

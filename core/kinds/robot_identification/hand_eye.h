@@ -139,38 +139,22 @@ void residuals(const Calibration& c, const Pair& pair, const Places<Real>& place
     r[5] = Real(0.5) * (turned(1, 0) - turned(0, 1));
 }
 
-/// Steps with the gain at the estimates; derivatives are there after the first.
-inline constexpr int fewest_gain_steps = 4, most_gain_steps = 60;
-/// A trial is settled where its last step is below this part of the standard uncertainty of each unknown.
-inline constexpr double settled_step = 1e-6;
-
 /// X and Z of a trial, then `deviation(i, value)`: positions of the pairs held back, calculated less
 /// measured.
 template <class Real, class In, class Set>
 mask_of<Real> evaluate(const Calibration& c, const In& x, Places<Real>& places, Set deviation) {
-    using namespace real_functions;
-    const std::size_t n = c.unknowns.size(), m = c.rows_per_pair();
-    std::array<Real, most_unknowns> v, step;
+    const std::size_t m = c.rows_per_pair();
+    std::array<Real, most_unknowns> v;
     std::array<Real, 6> r;
-    for (std::size_t i = 0; i < n; ++i) v[i] = Real(c.solution[i]);
-    mask_of<Real> settled(false);
-    for (int k = 0; k < most_gain_steps && (k < fewest_gain_steps || !all(settled)); ++k) {
-        places = places_of<Real>(c, v);
-        for (std::size_t i = 0; i < n; ++i) step[i] = Real(0.0);
-        for (std::size_t pair = 0; pair < c.fitted_pairs; ++pair) {
-            residuals<Real>(c, c.pairs[pair], places, x, r.data());
-            for (std::size_t row = 0; row < m; ++row) {
-                const double* column = &c.gain(0, static_cast<Eigen::Index>(pair * m + row));
-                for (std::size_t i = 0; i < n; ++i) step[i] += Real(column[i]) * r[row];
+    for (std::size_t i = 0; i < c.unknowns.size(); ++i) v[i] = Real(c.solution[i]);
+    const auto settled =
+        identification::follow_gain<Real>(c.gain, c.inverse_u, v, [&](const auto& at, const auto& add) {
+            places = places_of<Real>(c, at);
+            for (std::size_t pair = 0; pair < c.fitted_pairs; ++pair) {
+                residuals<Real>(c, c.pairs[pair], places, x, r.data());
+                for (std::size_t row = 0; row < m; ++row) add(pair * m + row, r[row]);
             }
-        }
-        Real largest(0.0);
-        for (std::size_t i = 0; i < n; ++i) {
-            v[i] += step[i];
-            largest = max(largest, Real(abs(step[i]) * Real(c.inverse_u[i])));
-        }
-        settled = largest < Real(settled_step);
-    }
+        });
     places = places_of<Real>(c, v);
     for (std::size_t pair = c.fitted_pairs; pair < c.pairs.size(); ++pair) {
         residuals<Real>(c, c.pairs[pair], places, x, r.data());

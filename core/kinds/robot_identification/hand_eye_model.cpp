@@ -148,7 +148,8 @@ std::vector<Message> Calibration::names() const {
 }
 
 std::vector<Table> tables(const Calibration& c) {
-    std::vector<Table> all{held_table(c.held)};
+    std::vector<Table> all;
+    if (!c.held.empty()) all.push_back(held_table(c.held));
     for (Table& table : observability_tables(c.statistics, c.names(), tell<"coordinates in the fit">()))
         all.push_back(std::move(table));
     all.push_back(residual_table(c));

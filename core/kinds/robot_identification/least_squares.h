@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <functional>
 #include <optional>
 #include <string>
@@ -10,6 +11,8 @@
 
 #include "core/kinds/points/component_evidence.h"
 #include "core/kinds/robot_identification/identified_parameters.h"
+#include "core/math/dual.h"
+#include "core/math/real.h"
 #include "core/text/table.h"
 
 namespace covaria::identification {
@@ -74,6 +77,37 @@ void take_statistics(FitStatistics& statistics, const Gain& gain, const Eigen::V
 
 /// 1/u of the unknowns; of one without uncertainty that of a micrometre or microradian.
 std::vector<double> inverse_uncertainties(const Eigen::MatrixXd& covariance);
+
+/// Steps with the gain at the estimates; each reduces what is missing by the factor by which the gain changes
+/// within a trial. Derivatives are there after the first.
+inline constexpr int fewest_gain_steps = 4, most_gain_steps = 60;
+/// A trial is settled where its last step is below this part of the standard uncertainty of each unknown.
+inline constexpr double settled_step = 1e-6;
+
+/// The unknowns `v` of a trial, from the estimates on: `residuals(v, add)` calls `add(row, measured less
+/// calculated)`. Which trials are settled.
+template <class Real, std::size_t most, class Residuals>
+mask_of<Real> follow_gain(const Eigen::MatrixXd& gain, const std::vector<double>& inverse_u,
+                          std::array<Real, most>& v, const Residuals& residuals) {
+    using namespace real_functions;
+    const std::size_t n = inverse_u.size();
+    std::array<Real, most> step;
+    mask_of<Real> settled(false);
+    for (int k = 0; k < most_gain_steps && (k < fewest_gain_steps || !all(settled)); ++k) {
+        for (std::size_t i = 0; i < n; ++i) step[i] = Real(0.0);
+        residuals(v, [&](std::size_t row, const Real& r) {
+            const double* column = &gain(0, static_cast<Eigen::Index>(row));
+            for (std::size_t i = 0; i < n; ++i) step[i] += Real(column[i]) * r;
+        });
+        Real largest(0.0);
+        for (std::size_t i = 0; i < n; ++i) {
+            v[i] += step[i];
+            largest = max(largest, Real(abs(step[i]) * Real(inverse_u[i])));
+        }
+        settled = largest < Real(settled_step);
+    }
+    return settled;
+}
 
 /// "d_3, a_2": unknowns that the rows tell worst; empty where all are told well.
 Message least_told(const FitStatistics& statistics, const std::vector<Message>& names);
