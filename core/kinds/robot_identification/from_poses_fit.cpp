@@ -296,7 +296,8 @@ private:
                          const Calibration& nominal) {
         PoseStatistics& s = c_.statistics;
         const MatrixXd from_inputs = residual_sensitivity(fitted(c_));
-        take_statistics(s, gain, residuals_of(c_, c_.solution, fitted(c_)), design, from_inputs, w_);
+        take_statistics(s, gain, residuals_of(c_, c_.solution, fitted(c_)), design, from_inputs, w_,
+                        identification::TestBy::scatter);
         c_.inverse_u = identification::inverse_uncertainties(s.covariance);
         if (!c_.simulated) find_evidence(c_, design, from_inputs);
         if (checks(c_).count() == 0) return;

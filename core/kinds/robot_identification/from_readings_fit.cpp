@@ -384,7 +384,7 @@ private:
                          const Identification& nominal) {
         const MatrixXd from_inputs = residual_sensitivity(id_, fitted(id_));
         take_statistics(id_.statistics, gain, residuals_of(id_, id_.solution, fitted(id_)), design,
-                        from_inputs, weights_.w);
+                        from_inputs, weights_.w, identification::TestBy::covariance);
         id_.inverse_u = identification::inverse_uncertainties(id_.statistics.covariance);
         if (!id_.simulated) find_evidence(id_, design, from_inputs);
         const RowRange checks = held_back(id_);

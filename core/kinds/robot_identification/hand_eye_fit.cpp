@@ -297,7 +297,8 @@ bool fit(Calibration& c, Problems& problems) {
     if (!gain) return refuse(tell<"at the solution X and Z cannot be told apart">());
     c.gain = gain->gain;
     const MatrixXd from_inputs = residual_sensitivity(c, fitted(c));
-    take_statistics(c.statistics, *gain, residuals_of(c, v, fitted(c)), design, from_inputs, w);
+    take_statistics(c.statistics, *gain, residuals_of(c, v, fitted(c)), design, from_inputs, w,
+                    identification::TestBy::covariance);
     c.inverse_u = identification::inverse_uncertainties(c.statistics.covariance);
     find_evidence(c, design, from_inputs);
     if (checks(c).count() > 0) {

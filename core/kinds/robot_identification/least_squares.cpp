@@ -31,8 +31,8 @@ Message coupling(const MatrixXd& kept, const std::vector<std::size_t>& unknowns,
     return tell<"moves the measured points as %1 can: coupled with it, held at its nominal value">(partners);
 }
 
-/// Rows whose residuals hang together with that of `row` so that a test of one is a test of the others.
-/// `deviations`: residuals by components.
+/// Rows whose tests hang together with that of `row` so that a test of one is a test of the others.
+/// `deviations`: what is tested by its independent causes.
 std::vector<std::size_t> rows_alike(const MatrixXd& deviations, Index row) {
     constexpr double alike = 0.98;
     const VectorXd products = deviations * deviations.row(row).transpose();
@@ -84,6 +84,7 @@ bool test_whitened(FitStatistics& s, const MatrixXd& design, const MatrixXd& fro
         if (const double u = P.col(i).norm(); u > least_control * lengths[i])
             s.w[i] = std::abs(tested[i]) / u;
     s.scatter = rest.norm() / std::sqrt(static_cast<double>(n - design.cols()));
+    s.alike = rows_alike(P.transpose(), s.worst_row());
     return true;
 }
 
@@ -220,7 +221,7 @@ bool FitStatistics::scatters_too_much() const {
 }
 
 void take_statistics(FitStatistics& s, const Gain& gain, const VectorXd& residuals, const MatrixXd& design,
-                     const MatrixXd& from_inputs, const VectorXd& weights) {
+                     const MatrixXd& from_inputs, const VectorXd& weights, TestBy test) {
     const MatrixXd unknowns = gain.gain * from_inputs;
     s.singular_values = gain.singular_values;
     s.weakest = gain.weakest;
@@ -232,7 +233,8 @@ void take_statistics(FitStatistics& s, const Gain& gain, const VectorXd& residua
     for (Index i = 0; i < own.size(); ++i)
         if (!(s.u_residuals[i] > least_control * own[i])) s.u_residuals[i] = 0.0;
     s.limit = t_quantile(1.0 - 0.025 / static_cast<double>(residuals.size()), infinity);
-    if (!test_whitened(s, design, from_inputs)) test_by_scatter(s, weights);
+    if (test == TestBy::covariance && test_whitened(s, design, from_inputs)) return;
+    test_by_scatter(s, weights);
     s.alike = rows_alike(deviations, s.worst_row());
 }
 

@@ -69,11 +69,15 @@ struct FitStatistics {
     bool scatters_too_much() const;
 };
 
+/// By what a residual is tested: by its own scatter, or by the covariance of all rows, so that what rows
+/// share, a known point or a scale, hides no error of one of them.
+enum class TestBy { scatter, covariance };
+
 /// Takes gain and covariance over. `from_inputs`: rows by components, each times its standard uncertainty;
 /// `design`: rows by unknowns.
 void take_statistics(FitStatistics& statistics, const Gain& gain, const Eigen::VectorXd& residuals,
                      const Eigen::MatrixXd& design, const Eigen::MatrixXd& from_inputs,
-                     const Eigen::VectorXd& w);
+                     const Eigen::VectorXd& w, TestBy test);
 
 /// 1/u of the unknowns; of one without uncertainty that of a micrometre or microradian.
 std::vector<double> inverse_uncertainties(const Eigen::MatrixXd& covariance);
