@@ -48,7 +48,7 @@ struct MeasuredPose {
     std::array<std::size_t, most_joints> reading = {};  ///< index of an uncertain reading, or no_input
 };
 
-/// What the fit leaves over, and how it tells the poses that were held back.
+/// Statistics of a fit also say how well it tells the poses that were held back.
 struct PoseStatistics : identification::FitStatistics {
     Eigen::VectorXd deviations, u_deviations;  ///< at check poses: calculated less measured, x y z each
     Eigen::VectorXd before;                    ///< the same with the nominal parameters

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/kinds/robot_identification/input_sensitivity.h"
+#include "core/math/nearest_rotation.h"
 #include "core/quantity/input_quantity.h"
 #include "core/text/numbers.h"
 
@@ -14,13 +15,6 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-/// Estimates of all inputs; their deviations are what a trial changes.
-std::vector<double> estimates(const InputSet& inputs) {
-    std::vector<double> x;
-    for (std::size_t i = 0; i < inputs.quantities.size(); ++i) x.push_back(estimate_of(inputs, i));
-    return x;
-}
 
 struct PoseRange {
     std::size_t first, last;
@@ -33,37 +27,30 @@ PoseRange checks(const Calibration& c) {
     return {c.fitted_poses, c.poses.size()};
 }
 
+/// Residuals of a range of poses: `set(row, value)`.
+template <class Real, class Values, class In, class Set>
+void all_residuals(const Calibration& c, PoseRange range, const Values& v, const In& x, const Set& set) {
+    const std::size_t m = c.rows_per_pose();
+    const CalibratedArm<Real> arm = arm_of<Real>(c, v);
+    std::array<Real, 6> r;
+    for (std::size_t k = range.first; k < range.last; ++k) {
+        residuals<Real>(c, c.poses[k], arm, x, r.data());
+        for (std::size_t row = 0; row < m; ++row) set((k - range.first) * m + row, r[row]);
+    }
+}
+
 VectorXd residuals_of(const Calibration& c, const std::vector<double>& v, PoseRange range) {
-    const std::vector<double> x = estimates(c.inputs);
-    const CalibratedArm<double> arm = arm_of<double>(c, v);
-    const auto m = static_cast<Index>(c.rows_per_pose());
-    VectorXd r(static_cast<Index>(range.count()) * m);
-    for (std::size_t k = range.first; k < range.last; ++k)
-        residuals<double>(c, c.poses[k], arm, x, r.data() + static_cast<Index>(k - range.first) * m);
+    VectorXd r(static_cast<Index>(range.count() * c.rows_per_pose()));
+    all_residuals<double>(c, range, v, identification::estimates_of(c.inputs),
+                          [&](std::size_t row, double value) { r[static_cast<Index>(row)] = value; });
     return r;
 }
 
-/// d(calculated)/d(unknown) = −d(residual)/d(unknown).
 MatrixXd jacobian_of(const Calibration& c, const std::vector<double>& v, PoseRange range) {
-    const std::vector<double> x = estimates(c.inputs);
-    const std::size_t m = c.rows_per_pose(), n = v.size();
-    MatrixXd A(static_cast<Index>(range.count() * m), static_cast<Index>(n));
-    std::vector<Dual> variables(v.begin(), v.end());
-    std::array<Dual, 6> r;
-    for (std::size_t first = 0; first < n; first += Dual::size) {
-        const std::size_t last = std::min(first + Dual::size, n);
-        for (std::size_t i = first; i < last; ++i) variables[i] = Dual::variable(v[i], i - first);
-        const CalibratedArm<Dual> arm = arm_of<Dual>(c, variables);
-        for (std::size_t k = range.first; k < range.last; ++k) {
-            residuals<Dual>(c, c.poses[k], arm, x, r.data());
-            for (std::size_t row = 0; row < m; ++row)
-                for (std::size_t i = first; i < last; ++i)
-                    A(static_cast<Index>((k - range.first) * m + row), static_cast<Index>(i)) =
-                        -r[row].partials()[i - first];
-        }
-        for (std::size_t i = first; i < last; ++i) variables[i] = Dual(v[i]);
-    }
-    return A;
+    const std::vector<double> x = identification::estimates_of(c.inputs);
+    return identification::jacobian_of(
+        v, range.count() * c.rows_per_pose(),
+        [&](const auto& at, const auto& set) { all_residuals<Dual>(c, range, at, x, set); });
 }
 
 std::vector<double> start_of(const Calibration& c) {
@@ -237,9 +224,7 @@ private:
         }
         c_.X_FT.translation() = p;
         if (!c_.with_orientation) return;
-        const Eigen::JacobiSVD<Eigen::Matrix3d> svd(R, Eigen::ComputeFullU | Eigen::ComputeFullV);
-        Eigen::Vector3d signs(1.0, 1.0, (svd.matrixU() * svd.matrixV().transpose()).determinant());
-        c_.X_FT.linear() = svd.matrixU() * signs.asDiagonal() * svd.matrixV().transpose();
+        c_.X_FT.linear() = nearest_rotation(R);
     }
 
     void find_weights() {
@@ -279,16 +264,9 @@ private:
 
     /// Residuals of a range of poses by components, the unknowns as they are.
     MatrixXd residual_sensitivity(PoseRange range) const {
-        const std::size_t m = c_.rows_per_pose();
-        return scaled_sensitivity(c_.inputs, range.count() * m,
+        return scaled_sensitivity(c_.inputs, range.count() * c_.rows_per_pose(),
                                   [&](const EstimatedInputs& x, const auto& set) {
-                                      const CalibratedArm<Dual> arm = arm_of<Dual>(c_, c_.solution);
-                                      std::array<Dual, 6> r;
-                                      for (std::size_t k = range.first; k < range.last; ++k) {
-                                          residuals<Dual>(c_, c_.poses[k], arm, x, r.data());
-                                          for (std::size_t row = 0; row < m; ++row)
-                                              set((k - range.first) * m + row, r[row]);
-                                      }
+                                      all_residuals<Dual>(c_, range, c_.solution, x, set);
                                   });
     }
 

@@ -7,6 +7,7 @@
 
 #include "core/kinds/robot/serial_robot.h"
 #include "core/kinds/robot_identification/from_poses_fit.h"
+#include "core/kinds/robot_identification/reading_figures.h"
 #include "core/quantity/input_quantity.h"
 
 namespace covaria::pose_calibration {
@@ -46,7 +47,7 @@ public:
         list_unknowns();
         if (problems_.has_errors()) return {};
         const bool seen = !c_.simulated && c_.uncertainties != evidence::UncertaintiesFrom::stated;
-        const ComponentEvidence evidence = seen ? evidence_as_stated() : ComponentEvidence();
+        const ComponentEvidence evidence = seen ? evidence_as_stated(c_) : ComponentEvidence();
         if (seen)
             take_as_seen(c_.inputs, evidence, c_.uncertainties, fields().place(&Calibration::uncertainties),
                          problems_);
@@ -56,13 +57,6 @@ public:
     }
 
 private:
-    /// Evidence from a fit with the stated uncertainties; its problems will be those of the fit that follows.
-    ComponentEvidence evidence_as_stated() const {
-        Calibration stated = c_;
-        Problems unsaid;
-        return fit(stated, unsaid) ? stated.statistics.evidence : ComponentEvidence();
-    }
-
     void add_pose(MeasuredPose pose) {
         const auto& joints = c_.robot().joints();
         for (std::size_t j = 0; j < joints.size(); ++j)

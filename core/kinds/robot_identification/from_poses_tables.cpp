@@ -23,27 +23,6 @@ Eigen::MatrixXd parameter_covariance(const Calibration& c) {
     return c.statistics.covariance.bottomRightCorner(n, n);
 }
 
-Table residual_table(const Calibration& c) {
-    const Unit um = Unit::of("um");
-    Table table{"residuals", "Residuals of the fit, measured less calculated"};
-    table.add("pose");
-    for (const char* axis : {"x", "y", "z"}) table.add(axis).in(um).symbol().figure(3);
-    table.add("largest over its u").figure(2);
-    table.add("outlier test");
-    const auto m = static_cast<Index>(c.rows_per_pose());
-    const PoseStatistics& s = c.statistics;
-    for (std::size_t k = 0; k < c.fitted_poses; ++k) {
-        const Index row = static_cast<Index>(k) * m;
-        const double largest = s.w.segment(row, m).maxCoeff();
-        table.row({c.poses[k].name, s.residuals[row], s.residuals[row + 1], s.residuals[row + 2], largest,
-                   largest > s.limit ? tell<"outlier">() : Message()});
-    }
-    table.notes = {
-        tell<"A residual beyond %1 times its own standard uncertainty is an outlier: 5 % for all residuals "
-             "together (Bonferroni).">(format_decimals(s.limit, 2))};
-    return table;
-}
-
 Table check_table(const Calibration& c) {
     const Unit um = Unit::of("um");
     Table table{"check-poses", "Poses held back from the fit, calculated less measured"};
@@ -105,7 +84,9 @@ std::vector<Table> tables(const Calibration& c) {
         held_table(c.held)};
     for (Table& table : observability_tables(c.statistics, c.names(), tell<"coordinates in the fit">()))
         all.push_back(std::move(table));
-    if (!c.simulated) all.push_back(residual_table(c));
+    std::vector<std::string> fitted;
+    for (std::size_t k = 0; k < c.fitted_poses; ++k) fitted.push_back(c.poses[k].name);
+    if (!c.simulated) all.push_back(residual_table(c.statistics, fitted));
     if (c.fitted_poses < c.poses.size()) all.push_back(check_table(c));
     return all;
 }

@@ -172,8 +172,6 @@ void add_inputs(Identification& id, Problems& problems);
 /// The nominal value of a length, as uncertain as the robot states, becomes a row of the fit. False where it
 /// states no uncertainty.
 bool add_nominal(Identification& id, const Unknown& length);
-/// Of all input quantities.
-std::vector<double> estimates_of(const Identification& id);
 /// The unknowns as base, places, targets and the nominal arm have them.
 std::vector<double> values_of(const Identification& id);
 /// Puts base, places and targets where the readings have them with the nominal arm.

@@ -29,7 +29,7 @@ RowRange held_back(const Identification& id) {
 }
 
 VectorXd residuals_of(const Identification& id, const std::vector<double>& v, RowRange range) {
-    const std::vector<double> x = estimates_of(id);
+    const std::vector<double> x = identification::estimates_of(id.inputs);
     Scene<double> scene;
     scene_of<double>(id, v, x, scene);
     VectorXd r(static_cast<Index>(range.count()));
@@ -38,24 +38,13 @@ VectorXd residuals_of(const Identification& id, const std::vector<double>& v, Ro
     return r;
 }
 
-/// d(calculated)/d(unknown) = −d(residual)/d(unknown).
 MatrixXd jacobian_of(const Identification& id, const std::vector<double>& v, RowRange range) {
-    const std::vector<double> x = estimates_of(id);
-    const std::size_t n = v.size();
-    MatrixXd A(static_cast<Index>(range.count()), static_cast<Index>(n));
-    std::vector<Dual> variables(v.begin(), v.end());
+    const std::vector<double> x = identification::estimates_of(id.inputs);
     Scene<Dual> scene;
-    for (std::size_t first = 0; first < n; first += Dual::size) {
-        const std::size_t last = std::min(first + Dual::size, n);
-        for (std::size_t i = first; i < last; ++i) variables[i] = Dual::variable(v[i], i - first);
-        scene_of<Dual>(id, variables, x, scene);
-        residuals<Dual>(id, range.first, range.last, scene, x, [&](std::size_t row, const Dual& value) {
-            for (std::size_t i = first; i < last; ++i)
-                A(static_cast<Index>(row), static_cast<Index>(i)) = -value.partials()[i - first];
-        });
-        for (std::size_t i = first; i < last; ++i) variables[i] = Dual(v[i]);
-    }
-    return A;
+    return identification::jacobian_of(v, range.count(), [&](const auto& at, const auto& set) {
+        scene_of<Dual>(id, at, x, scene);
+        residuals<Dual>(id, range.first, range.last, scene, x, set);
+    });
 }
 
 identification::FitFunctions functions_of(const Identification& id) {

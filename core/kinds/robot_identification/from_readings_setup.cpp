@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/kinds/robot_identification/from_readings.h"
+#include "core/kinds/robot_identification/reading_figures.h"
 
 namespace covaria::reading_identification {
 
@@ -304,12 +305,6 @@ void list_unknowns(Identification& id, Problems& problems) {
     const auto& joints = id.robot().joints();
     for (std::size_t j = 0; id.compliant && j < joints.size(); ++j)
         if (!joints[j].slides) unknowns.push_back({UnknownKind::compliance, j});
-}
-
-/// Evidence from a fit with the stated uncertainties; its problems will be those of the fit that follows.
-ComponentEvidence evidence_as_stated(Identification stated) {
-    Problems unsaid;
-    return fit(stated, unsaid) ? stated.statistics.evidence : ComponentEvidence();
 }
 
 }  // namespace

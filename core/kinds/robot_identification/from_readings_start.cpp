@@ -19,7 +19,7 @@ using Eigen::VectorXd;
 
 class StartOfSearch {
 public:
-    explicit StartOfSearch(Identification& id) : id_(id), x_(estimates_of(id)) {}
+    explicit StartOfSearch(Identification& id) : id_(id), x_(identification::estimates_of(id.inputs)) {}
 
     void find() {
         if (id_.base_found) approach_positions();
@@ -188,12 +188,6 @@ private:
 };
 
 }  // namespace
-
-std::vector<double> estimates_of(const Identification& id) {
-    std::vector<double> x;
-    for (std::size_t i = 0; i < id.inputs.quantities.size(); ++i) x.push_back(estimate_of(id.inputs, i));
-    return x;
-}
 
 std::vector<double> values_of(const Identification& id) {
     std::vector<double> v;

@@ -1,6 +1,5 @@
 // Start, fit and evidence of a hand-eye calibration.
 #include <Eigen/QR>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -9,6 +8,7 @@
 #include "core/kinds/robot_identification/input_sensitivity.h"
 #include "core/kinds/robot_identification/reading_figures.h"
 #include "core/math/decompositions.h"
+#include "core/math/nearest_rotation.h"
 #include "core/text/numbers.h"
 
 namespace covaria::hand_eye {
@@ -43,35 +43,19 @@ void all_residuals(const Calibration& c, PairRange range, const Places<Real>& pl
     }
 }
 
-std::vector<double> estimates_of(const InputSet& inputs) {
-    std::vector<double> x;
-    for (std::size_t i = 0; i < inputs.quantities.size(); ++i) x.push_back(estimate_of(inputs, i));
-    return x;
-}
-
 VectorXd residuals_of(const Calibration& c, const std::vector<double>& v, PairRange range) {
     VectorXd r(static_cast<Index>(range.count() * c.rows_per_pair()));
-    all_residuals<double>(c, range, places_of<double>(c, v), estimates_of(c.inputs),
+    all_residuals<double>(c, range, places_of<double>(c, v), identification::estimates_of(c.inputs),
                           [&](std::size_t row, double value) { r[static_cast<Index>(row)] = value; });
     return r;
 }
 
-/// d(calculated)/d(unknown).
 MatrixXd jacobian_of(const Calibration& c, const std::vector<double>& v, PairRange range) {
-    const std::vector<double> x = estimates_of(c.inputs);
-    MatrixXd A(static_cast<Index>(range.count() * c.rows_per_pair()), static_cast<Index>(v.size()));
-    std::vector<Dual> variables(v.begin(), v.end());
-    for (std::size_t first = 0; first < v.size(); first += Dual::size) {
-        const std::size_t last = std::min(first + Dual::size, v.size());
-        for (std::size_t i = first; i < last; ++i) variables[i] = Dual::variable(v[i], i - first);
-        all_residuals<Dual>(
-            c, range, places_of<Dual>(c, variables), x, [&](std::size_t row, const Dual& value) {
-                for (std::size_t i = first; i < last; ++i)
-                    A(static_cast<Index>(row), static_cast<Index>(i)) = -value.partials()[i - first];
-            });
-        for (std::size_t i = first; i < last; ++i) variables[i] = Dual(v[i]);
-    }
-    return A;
+    const std::vector<double> x = identification::estimates_of(c.inputs);
+    return identification::jacobian_of(v, range.count() * c.rows_per_pair(),
+                                       [&](const auto& at, const auto& set) {
+                                           all_residuals<Dual>(c, range, places_of<Dual>(c, at), x, set);
+                                       });
 }
 
 /// Residuals of a range of pairs by components, the unknowns as they are.
@@ -80,12 +64,6 @@ MatrixXd residual_sensitivity(const Calibration& c, PairRange range) {
     return scaled_sensitivity(
         c.inputs, range.count() * c.rows_per_pair(),
         [&](const EstimatedInputs& x, const auto& set) { all_residuals<Dual>(c, range, places, x, set); });
-}
-
-Matrix3d nearest_rotation(const Matrix3d& M) {
-    const Eigen::JacobiSVD<Matrix3d> svd(M, Eigen::ComputeFullU | Eigen::ComputeFullV);
-    const Vector3d signs(1.0, 1.0, (svd.matrixU() * svd.matrixV().transpose()).determinant());
-    return svd.matrixU() * signs.asDiagonal() * svd.matrixV().transpose();
 }
 
 /// vec(M X) = (I x M) vec(X); vec(X N) = (N^T x I) vec(X).

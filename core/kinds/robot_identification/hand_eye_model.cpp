@@ -8,7 +8,6 @@
 #include "core/kinds/robot_identification/hand_eye.h"
 #include "core/model/equation_model.h"
 #include "core/model/layout.h"
-#include "core/text/numbers.h"
 #include "core/text/symbol.h"
 
 namespace covaria {
@@ -19,26 +18,6 @@ namespace {
 
 using Eigen::Index;
 const Unit um = Unit::of("um");
-
-Table residual_table(const Calibration& c) {
-    Table table{"residuals", "Residuals of the fit, measured less calculated"};
-    table.add("pose");
-    for (const char* axis : {"x", "y", "z"}) table.add(axis).in(um).symbol().figure(3);
-    table.add("largest over its u").figure(2);
-    table.add("outlier test");
-    const auto m = static_cast<Index>(c.rows_per_pair());
-    const auto& s = c.statistics;
-    for (std::size_t k = 0; k < c.fitted_pairs; ++k) {
-        const Index row = static_cast<Index>(k) * m;
-        const double largest = s.w.segment(row, m).maxCoeff();
-        table.row({c.pairs[k].name, s.residuals[row], s.residuals[row + 1], s.residuals[row + 2], largest,
-                   largest > s.limit ? tell<"outlier">() : Message()});
-    }
-    table.notes = {
-        tell<"A residual beyond %1 times its own standard uncertainty is an outlier: 5 % for all residuals "
-             "together (Bonferroni).">(format_decimals(s.limit, 2))};
-    return table;
-}
 
 Table check_table(const Calibration& c) {
     Table table{"check-poses", "Poses held back from the fit, calculated less measured"};
@@ -152,7 +131,9 @@ std::vector<Table> tables(const Calibration& c) {
     if (!c.held.empty()) all.push_back(held_table(c.held));
     for (Table& table : observability_tables(c.statistics, c.names(), tell<"coordinates in the fit">()))
         all.push_back(std::move(table));
-    all.push_back(residual_table(c));
+    std::vector<std::string> poses;
+    for (std::size_t k = 0; k < c.fitted_pairs; ++k) poses.push_back(c.pairs[k].name);
+    all.push_back(residual_table(c.statistics, poses));
     if (c.fitted_pairs < c.pairs.size()) all.push_back(check_table(c));
     return all;
 }

@@ -3,6 +3,7 @@
 #include <set>
 
 #include "core/kinds/robot_identification/hand_eye.h"
+#include "core/kinds/robot_identification/reading_figures.h"
 
 namespace covaria::hand_eye {
 
@@ -131,12 +132,6 @@ private:
     Problems& problems_;
     std::set<std::string> names_;
 };
-
-/// Evidence from a fit with the stated uncertainties; its problems will be those of the fit that follows.
-ComponentEvidence evidence_as_stated(Calibration stated) {
-    Problems unsaid;
-    return fit(stated, unsaid) ? stated.statistics.evidence : ComponentEvidence();
-}
 
 }  // namespace
 

@@ -7,6 +7,7 @@
 
 #include "core/math/decompositions.h"
 #include "core/math/special_quantiles.h"
+#include "core/text/numbers.h"
 
 namespace covaria::identification {
 
@@ -122,6 +123,12 @@ Table coupling_table(const MatrixXd& covariance, const std::vector<Message>& nam
 }
 
 }  // namespace
+
+std::vector<double> estimates_of(const InputSet& inputs) {
+    std::vector<double> x;
+    for (std::size_t i = 0; i < inputs.quantities.size(); ++i) x.push_back(estimate_of(inputs, i));
+    return x;
+}
 
 bool minimise(const FitFunctions& fit, const VectorXd& w, std::vector<double>& v) {
     constexpr int most_steps = 200, most_trials = 1000;
@@ -273,6 +280,25 @@ std::vector<Table> observability_tables(const FitStatistics& s, const std::vecto
     table.notes = {tell<"Singular values are those of the weighted Jacobian with columns of length one.">(),
                    tell<"Least well told apart: %1.">(least_told(s, names))};
     return {std::move(table), coupling_table(s.covariance, names)};
+}
+
+Table residual_table(const FitStatistics& s, const std::vector<std::string>& poses) {
+    Table table{"residuals", "Residuals of the fit, measured less calculated"};
+    table.add("pose");
+    for (const char* axis : {"x", "y", "z"}) table.add(axis).in(Unit::of("um")).symbol().figure(3);
+    table.add("largest over its u").figure(2);
+    table.add("outlier test");
+    const Index m = s.residuals.size() / static_cast<Index>(poses.size());
+    for (std::size_t k = 0; k < poses.size(); ++k) {
+        const Index row = static_cast<Index>(k) * m;
+        const double largest = s.w.segment(row, m).maxCoeff();
+        table.row({poses[k], s.residuals[row], s.residuals[row + 1], s.residuals[row + 2], largest,
+                   largest > s.limit ? tell<"outlier">() : Message()});
+    }
+    table.notes = {
+        tell<"A residual beyond %1 times its own standard uncertainty is an outlier: 5 % for all residuals "
+             "together (Bonferroni).">(format_decimals(s.limit, 2))};
+    return table;
 }
 
 }  // namespace covaria::identification

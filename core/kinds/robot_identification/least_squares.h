@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <optional>
@@ -24,6 +25,28 @@ struct FitFunctions {
     /// d(calculated)/d(unknown), rows by unknowns.
     std::function<Eigen::MatrixXd(const std::vector<double>&)> jacobian;
 };
+
+/// The estimates of all input quantities.
+std::vector<double> estimates_of(const InputSet& inputs);
+
+/// d(calculated)/d(unknown) at `v`, rows by unknowns. `residuals(v, set)` calls `set(row, measured less
+/// calculated)`, in duals.
+template <class Residuals>
+Eigen::MatrixXd jacobian_of(const std::vector<double>& v, std::size_t rows, const Residuals& residuals) {
+    using Eigen::Index;
+    Eigen::MatrixXd A(static_cast<Index>(rows), static_cast<Index>(v.size()));
+    std::vector<Dual> variables(v.begin(), v.end());
+    for (std::size_t first = 0; first < v.size(); first += Dual::size) {
+        const std::size_t last = std::min(first + Dual::size, v.size());
+        for (std::size_t i = first; i < last; ++i) variables[i] = Dual::variable(v[i], i - first);
+        residuals(variables, [&](std::size_t row, const Dual& value) {
+            for (std::size_t i = first; i < last; ++i)
+                A(static_cast<Index>(row), static_cast<Index>(i)) = -value.partials()[i - first];
+        });
+        for (std::size_t i = first; i < last; ++i) variables[i] = Dual(v[i]);
+    }
+    return A;
+}
 
 /// Weighted least squares from `v` on; `w`: the factor of each row. A step that does not lower the sum of
 /// squares is damped more and tried again from where it began. False: no convergence.
@@ -122,5 +145,9 @@ inline constexpr double most_condition = 1e4;
 /// Rank, freedom, condition, what is told worst; and the strongest correlation of each unknown.
 std::vector<Table> observability_tables(const FitStatistics& statistics, const std::vector<Message>& names,
                                         const Message& what_the_rows_are);
+
+/// The residuals of poses, x, y, z first in each, and the largest of all its rows as the test standardises
+/// it.
+Table residual_table(const FitStatistics& statistics, const std::vector<std::string>& poses);
 
 }  // namespace covaria::identification

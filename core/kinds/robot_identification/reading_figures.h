@@ -37,6 +37,13 @@ private:
     std::set<std::size_t> shared_;
 };
 
+/// Evidence from a fit with the stated uncertainties; its problems will be those of the fit that follows.
+template <class Calibration>
+ComponentEvidence evidence_as_stated(Calibration stated) {
+    Problems unsaid;
+    return fit(stated, unsaid) ? stated.statistics.evidence : ComponentEvidence();
+}
+
 /// Adds the standardised residual of every row, which no figure states by itself.
 void name_standardised(const identification::FitStatistics& statistics,
                        evidence::RedundantReadings& readings);
