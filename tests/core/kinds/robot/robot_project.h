@@ -4,25 +4,15 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "core/base/resource_path.h"
-#include "tests/core/made.h"
+#include "tests/core/kinds/robot/shipped_project.h"
 
 namespace covaria::robot_test {
 
 using Row = std::vector<double>;
 
-struct Robot {
-    Robot() : project(load_project(data_directory() / "projects/er10l-c10.covaria").project) {}
+struct Robot : ShippedProject {
+    Robot() : ShippedProject("er10l-c10.covaria") {}
 
-    AnalysisEntry& find(const std::string& id) {
-        for (AnalysisEntry& analysis : project.analyses)
-            if (analysis.id == id) return analysis;
-        throw std::out_of_range(id);
-    }
-    covaria::Setup& setup(const std::string& id) { return find(id).setup; }
-    SetupTable& table(const std::string& id, const std::string& key) {
-        return std::get<SetupTable>(setup(id).values.at(key));
-    }
     covaria::Setup& asset_setup(const std::string& id) {
         for (AssetEntry& entry : project.assets)
             if (entry.id == id) return entry.setup;
@@ -40,28 +30,13 @@ struct Robot {
         return entry->asset;
     }
 
-    std::shared_ptr<const PreparedAnalysis> prepare(const std::string& id) {
+    std::shared_ptr<const PreparedAnalysis> prepare(const std::string& id) override {
         problems = {};
         assets = made_assets(project, problems);
         return made_analysis(project, id, problems);
     }
-    /// 0 trials: the law of propagation alone.
-    UncertaintyResult run(const std::string& id, std::uint64_t trials) {
-        find(id).options.method = trials == 0 ? Method::first_order : Method::monte_carlo;
-        if (trials > 0) find(id).options.trials = trials;
-        const auto prepared = prepare(id);
-        if (!prepared) throw std::runtime_error(words());
-        return run_analysis(*prepared).value();
-    }
-    std::string words() const {
-        std::string text;
-        for (const Problem& p : problems.items()) text += p.path + ": " + p.message.english() + "\n";
-        return text;
-    }
 
-    Project project;
     AssetLibrary assets;
-    Problems problems;
 };
 
 inline Row each(const UncertaintyResult& r, double (*value)(const OutputResult&)) {

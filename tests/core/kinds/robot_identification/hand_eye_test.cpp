@@ -3,49 +3,18 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <map>
 #include <numbers>
 
-#include "core/base/resource_path.h"
 #include "core/math/rotation.h"
-#include "tests/core/made.h"
-#include "tests/core/table_rows.h"
+#include "tests/core/kinds/robot/shipped_project.h"
 
 namespace covaria::hand_eye_test {
 namespace {
 
-struct HandEye {
-    HandEye() : project(load_project(data_directory() / "projects/eye-on-hand.covaria").project) {}
+struct HandEye : robot_test::ShippedProject {
+    HandEye() : ShippedProject("eye-on-hand.covaria") {}
 
-    covaria::Setup& setup(const std::string& id) { return find(id).setup; }
-    std::vector<std::vector<SetupCell>>& poses(const std::string& id) {
-        return std::get<SetupTable>(setup(id).values.at("poses")).rows;
-    }
-    AnalysisEntry& find(const std::string& id) {
-        for (AnalysisEntry& analysis : project.analyses)
-            if (analysis.id == id) return analysis;
-        throw std::out_of_range(id);
-    }
-    std::shared_ptr<const PreparedAnalysis> prepare(const std::string& id) {
-        problems = {};
-        return made_analysis(project, id, problems);
-    }
-    UncertaintyResult run(const std::string& id, std::uint64_t trials = 0) {
-        find(id).options.method = trials == 0 ? Method::first_order : Method::monte_carlo;
-        if (trials > 0) find(id).options.trials = trials;
-        const auto prepared = prepare(id);
-        if (!prepared) throw std::runtime_error(words());
-        return run_analysis(*prepared).value();
-    }
-    std::string words() const {
-        std::string text;
-        for (const Problem& p : problems.items()) text += p.path + ": " + p.message.english() + "\n";
-        return text;
-    }
-    bool says(const std::string& sentence) const { return words().find(sentence) != std::string::npos; }
-
-    Project project;
-    Problems problems;
+    std::vector<std::vector<SetupCell>>& poses(const std::string& id) { return table(id, "poses").rows; }
 };
 
 struct Figures {
@@ -64,7 +33,7 @@ void expect_figures(const UncertaintyResult& result, const std::vector<Figures>&
 
 TEST(HandEye, ACameraOnTheHandIsThatOfASecondSolution) {
     HandEye hand_eye;
-    const UncertaintyResult result = hand_eye.run("camera");
+    const UncertaintyResult result = hand_eye.run("camera", 0);
     EXPECT_TRUE(hand_eye.problems.empty()) << hand_eye.words();
     expect_figures(result, {{45.250244798, .0482678055},
                             {-31.710038539, .0402965339},
@@ -82,7 +51,7 @@ TEST(HandEye, ACameraOnTheHandIsThatOfASecondSolution) {
 
 TEST(HandEye, ATrackerBesideTheRobotIsThatOfASecondSolution) {
     HandEye hand_eye;
-    const UncertaintyResult result = hand_eye.run("tracker");
+    const UncertaintyResult result = hand_eye.run("tracker", 0);
     expect_figures(result, {{80.695000730, .0092243135},
                             {59.199494870, .00946897674},
                             {41.091374164, .00939492018},
@@ -113,7 +82,7 @@ TEST(HandEye, WhatTheFlangeCarriesCanBeExchanged) {
     HandEye hand_eye;
     hand_eye.setup("camera").values["u_angle"] = Quantity{0.0, Unit::of("deg")};
     hand_eye.setup("camera").values["u_position"] = Quantity{0.0, Unit::of("mm")};
-    const UncertaintyResult on_the_hand = hand_eye.run("camera");
+    const UncertaintyResult on_the_hand = hand_eye.run("camera", 0);
     for (auto& row : hand_eye.poses("camera")) {
         Eigen::Isometry3d B = Eigen::Isometry3d::Identity();
         Eigen::Vector3d angles;
@@ -130,7 +99,7 @@ TEST(HandEye, WhatTheFlangeCarriesCanBeExchanged) {
         }
     }
     hand_eye.setup("camera").values["mount"] = std::string("target");
-    const UncertaintyResult beside = hand_eye.run("camera");
+    const UncertaintyResult beside = hand_eye.run("camera", 0);
     for (std::size_t i = 0; i < 12; ++i)  // other residuals are made small: close, not the same
         EXPECT_NEAR(beside.outputs[i].estimate, on_the_hand.outputs[i].estimate, i % 6 < 3 ? 1e-4 : 5e-4)
             << on_the_hand.outputs[i].quantity.group << on_the_hand.outputs[i].quantity.symbol;

@@ -15,32 +15,15 @@
 namespace covaria::robot_calibration_test {
 namespace {
 
+using robot_test::calibrated;
+using robot_test::held_in;
+using robot_test::parameters;
 using robot_test::Robot;
+using robot_test::table_called;
 
 constexpr const char* measured = "poses-measured";
 constexpr const char* simulated = "poses-simulated";
 constexpr std::size_t first_q = 2, x_column = 9, alpha_column = 12;
-
-const std::map<std::string, double> calibrated{
-    {"a_1", 166.5975},   {"alpha_1", -90.0003}, {"theta_2", -90.062}, {"a_2", 780.26},
-    {"alpha_2", -.0261}, {"beta_2", .0234},     {"theta_3", -.1825},  {"d_3", .7937},
-    {"a_3", 140.3917},   {"alpha_3", -89.981},  {"theta_4", -.3125},  {"d_4", 1059.7833},
-    {"a_4", .1621},      {"alpha_4", 90.0605},  {"theta_5", -.5217},  {"d_5", .7176},
-    {"a_5", .1015},      {"alpha_5", -90.015}};
-
-struct Found {
-    double value, u;
-};
-
-/// Measurands by symbol, in mm and degrees, law of propagation.
-std::map<std::string, Found> parameters(const UncertaintyResult& r) {
-    std::map<std::string, Found> found;
-    for (const OutputResult& y : r.outputs)
-        if (y.quantity.role == OutputRole::measurand)
-            found[y.quantity.symbol] = {y.quantity.unit.interval_from_si(y.first_order.estimate),
-                                        y.quantity.unit.interval_from_si(y.first_order.standard_uncertainty)};
-    return found;
-}
 
 /// The poses of the file, seen without deviations: the calibrated arm with its base at X_MB.
 void measure_exactly(Robot& robot, const Eigen::Isometry3d& X_MB) {
@@ -65,23 +48,6 @@ Eigen::Isometry3d somewhere() {
     X.linear() = rotation_from_zyx<double>({-.014, .026, 2.6});
     X.translation() = Eigen::Vector3d(2.6, -1.5, -.9);
     return X;
-}
-
-Table table_called(const PreparedAnalysis& analysis, const std::string& id) {
-    for (const Table& table : analysis.model->evaluation())
-        if (table.id == id) return table;
-    throw std::out_of_range(id);
-}
-
-std::map<std::string, std::string> held_in(const PreparedAnalysis& analysis) {
-    std::map<std::string, std::string> held;
-    for (const auto& row : test::rows_of(table_called(analysis, "not-identified")))
-        held[english_of(row[0])] = english_of(row[1]);
-    return held;
-}
-
-bool says(const Robot& robot, const std::string& words) {
-    return robot.words().find(words) != std::string::npos;
 }
 
 TEST(Calibration, ExactPositionsGiveTheParametersBack) {
@@ -244,7 +210,7 @@ TEST(Calibration, AParameterCanBeHeld) {
     EXPECT_FALSE(parameters(robot.run(simulated, 0)).contains("alpha_4"));
     std::get<SetupTable>(robot.setup(simulated).values["held"]).rows = {{std::string("alpha_9")}};
     EXPECT_EQ(robot.prepare(simulated), nullptr);
-    EXPECT_TRUE(says(robot, "no parameter 'alpha_9'")) << robot.words();
+    EXPECT_TRUE(robot.says("no parameter 'alpha_9'")) << robot.words();
 }
 
 TEST(Calibration, MorePosesTellMore) {
@@ -264,8 +230,8 @@ TEST(Calibration, AnOutlierIsNamed) {
     row[x_column + 2] = std::get<double>(row[x_column + 2]) + .3;
     const auto prepared = robot.prepare(measured);
     ASSERT_NE(prepared, nullptr);
-    EXPECT_TRUE(says(robot, "pose P17: the residual of its")) << robot.words();
-    EXPECT_TRUE(says(robot, "times as large as the uncertainties of points and readings explain"));
+    EXPECT_TRUE(robot.says("pose P17: the residual of its")) << robot.words();
+    EXPECT_TRUE(robot.says("times as large as the uncertainties of points and readings explain"));
     std::size_t outliers = 0;
     for (const auto& r : test::rows_of(table_called(*prepared, "residuals")))
         outliers += english_of(r.back()) == "outlier";
@@ -332,24 +298,24 @@ TEST(Calibration, TooFewPosesAreRefused) {
     SetupTable& poses = robot.table(measured, "poses");
     poses.rows.resize(8);
     EXPECT_EQ(robot.prepare(measured), nullptr);
-    EXPECT_TRUE(says(robot, "give 24 coordinates, no more than there are unknowns")) << robot.words();
+    EXPECT_TRUE(robot.says("give 24 coordinates, no more than there are unknowns")) << robot.words();
     poses.rows.resize(2);
     EXPECT_EQ(robot.prepare(measured), nullptr);
-    EXPECT_TRUE(says(robot, "the fit has 2 poses")) << robot.words();
+    EXPECT_TRUE(robot.says("the fit has 2 poses")) << robot.words();
 }
 
 TEST(Calibration, AnOrientationThatIsMissingIsNamed) {
     Robot robot;
     robot.setup(measured).values["quantity"] = std::string("poses");
     EXPECT_EQ(robot.prepare(measured), nullptr);
-    EXPECT_TRUE(says(robot, "pose P1: its orientation is missing")) << robot.words();
+    EXPECT_TRUE(robot.says("pose P1: its orientation is missing")) << robot.words();
 }
 
 TEST(Calibration, ReadingsOfTheWrongSignDoNotPassForAnArm) {
     Robot robot;
     for (auto& row : robot.table(measured, "poses").rows) row[first_q] = -std::get<double>(row[first_q]);
     const auto prepared = robot.prepare(measured);
-    EXPECT_TRUE(!prepared || says(robot, "times as large as the uncertainties")) << robot.words();
+    EXPECT_TRUE(!prepared || robot.says("times as large as the uncertainties")) << robot.words();
 }
 
 TEST(Calibration, TheLayoutSaysHowManyPosesHaveAnUncertainty) {
