@@ -72,7 +72,8 @@ bool test_whitened(FitStatistics& s, const MatrixXd& design, const MatrixXd& fro
     const auto L = covariance.matrixL();
     if (!(MatrixXd(L).diagonal().minCoeff() > least_control)) return false;
     MatrixXd A = L.solve(own.cwiseInverse().asDiagonal() * design);
-    A *= A.colwise().norm().cwiseInverse().asDiagonal();
+    const VectorXd sizes = A.colwise().norm();  // by themselves: A is overwritten while it is scaled
+    A *= sizes.cwiseInverse().asDiagonal();
     const MatrixXd Q = Eigen::HouseholderQR<MatrixXd>(A).householderQ() * MatrixXd::Identity(n, A.cols());
     const VectorXd r = L.solve(s.residuals.cwiseQuotient(own));
     const VectorXd rest = r - Q * (Q.transpose() * r);
@@ -297,7 +298,7 @@ Table residual_table(const FitStatistics& s, const std::vector<std::string>& pos
     }
     table.notes = {
         tell<"A residual beyond %1 times its own standard uncertainty is an outlier: 5 % for all residuals "
-             "together (Bonferroni).">(format_decimals(s.limit, 2))};
+             "together (Bonferroni).">(Message::number(format_decimals(s.limit, 2)))};
     return table;
 }
 
