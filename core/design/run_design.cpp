@@ -141,8 +141,9 @@ private:
             if (j == verified.outputs.size() || j >= verified.budget.rows.size()) return;
             for (const BudgetRow& row : verified.budget.rows[j]) {
                 const BudgetComponent& component = verified.budget.components[row.component];
-                const Message origin =
-                    of_assets.contains(component.id) ? component.origin : Message(component.id);
+                const Message origin = component.is_rest                  ? component.name
+                                       : of_assets.contains(component.id) ? component.origin
+                                                                          : Message(component.id);
                 Shares& made = shares[origin.english()];
                 made.origin = origin;
                 made.of_goals.resize(result_.goals.size(), 0.0);

@@ -42,6 +42,15 @@ struct Sensitivity {
 /// [output]: by rising input; inputs that are left out have no effect.
 using SensitivityRows = std::vector<std::vector<Sensitivity>>;
 
+/// Sensitivity coefficients at one place, an output at a time: for models whose rows together do not fit into
+/// memory. Safe to use from many threads at once; the model outlives it.
+class SensitivitySource {
+public:
+    virtual ~SensitivitySource() = default;
+    /// The row of an output, by rising input, in place of what `row` holds. false: it has none.
+    virtual bool row(std::size_t output, std::vector<Sensitivity>& row) const = 0;
+};
+
 struct ModelEquation {
     Message text;          ///< Unicode: "o_p^b = R_bᵀ (o_p − o_b)"; words in it are told
     Message source;        ///< "Porath et al., Eq. 19, corrected"
@@ -71,6 +80,11 @@ public:
     /// The same without what is zero, for models with so many quantities that the matrix does not fit into
     /// memory. Default: from `jacobian`.
     virtual bool sensitivities(std::span<const double> x, SensitivityRows& rows) const;
+
+    /// The same row by row; null where the model can only make all of them, or has no value at x.
+    virtual std::unique_ptr<const SensitivitySource> sensitivity_source(std::span<const double> /*x*/) const {
+        return nullptr;
+    }
 
     /// Layout of things when the inputs are x, in metrology words; see layout.h.
     virtual Layout layout(std::span<const double> x) const = 0;

@@ -61,11 +61,12 @@ std::vector<double> least_degrees_of_freedom(const InputSet& inputs, const LawOf
     std::vector<double> of_component{infinity}, least;
     for (const UncertaintyComponent& c : inputs.components)
         of_component.push_back(c.held ? infinity : drawn_distribution(c).degrees_of_freedom());
-    for (std::size_t j = 0; j < law.terms.size(); ++j) {
+    for (std::size_t j = 0; j < law.differentiable.size(); ++j) {
         least.push_back(infinity);
-        if (!law.differentiable[j])  // any of them may reach it
+        const bool is_known = law.differentiable[j] && !law.condensed;
+        if (!is_known)  // any of them may reach it
             least.back() = *std::min_element(of_component.begin(), of_component.end());
-        for (const PropagationTerm& term : law.terms[j])
+        for (const PropagationTerm& term : is_known ? law.terms[j] : std::vector<PropagationTerm>())
             if (term.contribution != 0.0)
                 least.back() = std::min(least.back(), of_component[term.component + 1]);
     }

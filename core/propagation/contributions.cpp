@@ -6,10 +6,40 @@
 #include <functional>
 #include <future>
 
+#include "core/propagation/condensed_law.h"
 #include "core/propagation/parallel_blocks.h"
 
 namespace covaria::detail {
 namespace {
+
+std::vector<BudgetRow> rows_of(const LawOfPropagation& law, Eigen::Index output) {
+    std::vector<BudgetRow> rows;
+    const double variance = law.covariance(output, output);
+    for (const PropagationTerm& term : law.terms[static_cast<std::size_t>(output)]) {
+        if (term.sensitivity == 0.0) continue;
+        BudgetRow row;
+        row.component = term.component;
+        row.sensitivity = term.sensitivity;
+        row.contribution = std::abs(term.contribution);
+        if (variance > 0) row.share = term.contribution * term.correlated / variance;
+        rows.push_back(row);
+    }
+    sort_rows(rows);
+    return rows;
+}
+
+/// Rows of an output that nothing influences to first order, with every c zero: Monte Carlo may show more.
+/// With many components the budget would be long and say no more: it is empty.
+std::vector<BudgetRow> rows_without_influence(std::size_t components) {
+    constexpr std::size_t few = 24;
+    std::vector<BudgetRow> rows;
+    for (std::size_t i = 0; components <= few && i < components; ++i) rows.push_back({.component = i});
+    return rows;
+}
+
+constexpr std::size_t most_components_one_by_one = 10'000;
+
+}  // namespace
 
 std::vector<BudgetComponent> budget_components(const InputSet& inputs) {
     std::vector<BudgetComponent> result;
@@ -45,36 +75,11 @@ std::vector<BudgetComponent> budget_components(const InputSet& inputs) {
     return result;
 }
 
-std::vector<BudgetRow> rows_of(const LawOfPropagation& law, Eigen::Index output) {
-    std::vector<BudgetRow> rows;
-    const double variance = law.covariance(output, output);
-    for (const PropagationTerm& term : law.terms[static_cast<std::size_t>(output)]) {
-        if (term.sensitivity == 0.0) continue;
-        BudgetRow row;
-        row.component = term.component;
-        row.sensitivity = term.sensitivity;
-        row.contribution = std::abs(term.contribution);
-        if (variance > 0) row.share = term.contribution * term.correlated / variance;
-        rows.push_back(row);
-    }
+void sort_rows(std::vector<BudgetRow>& rows) {
     std::stable_sort(rows.begin(), rows.end(), [](const BudgetRow& a, const BudgetRow& b) {
         return std::abs(a.share) > std::abs(b.share);
     });
-    return rows;
 }
-
-/// Rows of an output that nothing influences to first order, with every c zero: Monte Carlo may show more.
-/// With many components the budget would be long and say no more: it is empty.
-std::vector<BudgetRow> rows_without_influence(std::size_t components) {
-    constexpr std::size_t few = 24;
-    std::vector<BudgetRow> rows;
-    for (std::size_t i = 0; components <= few && i < components; ++i) rows.push_back({.component = i});
-    return rows;
-}
-
-constexpr std::size_t most_components_one_by_one = 10'000;
-
-}  // namespace
 
 std::vector<double> trial_uncertainties(const TrialSource& source, std::uint64_t trials, RunMonitor& monitor,
                                         std::uint64_t* failed) {
@@ -103,6 +108,7 @@ std::vector<double> trial_uncertainties(const TrialSource& source, std::uint64_t
 }
 
 UncertaintyBudget budget_of(const InputSet& inputs, const LawOfPropagation& law) {
+    if (law.condensed) return law.condensed->budget;
     const bool large = inputs.components.size() > most_components_one_by_one;
     UncertaintyBudget budget;
     std::future<std::vector<BudgetComponent>> components =
@@ -119,11 +125,11 @@ UncertaintyBudget budget_of(const InputSet& inputs, const LawOfPropagation& law)
 
 Result<void> add_one_at_a_time(UncertaintyBudget& budget, const RunContext& context, const InputSet& inputs,
                                const Correlations& correlations, std::uint64_t trials) {
-    std::vector<char> contributes(inputs.components.size(), 0);
+    std::vector<char> contributes(budget.components.size(), 0);
     for (const auto& rows : budget.rows)
         for (const BudgetRow& row : rows)
             if (row.share != 0.0) contributes[row.component] = 1;
-    std::vector<std::vector<double>> u(inputs.components.size());
+    std::vector<std::vector<double>> u(budget.components.size());
     const WorkEnd end = run_each(inputs.components.size(), context.monitor, [&](std::uint64_t c) {
         if (contributes[c] == 0) return;
         const DrawPlan plan(inputs, correlations, static_cast<std::size_t>(c));

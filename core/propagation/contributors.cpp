@@ -4,64 +4,12 @@
 #include <limits>
 #include <unordered_map>
 
+#include "core/propagation/condensed_law.h"
 #include "core/propagation/contributions.h"
 #include "core/propagation/parallel_blocks.h"
 
 namespace covaria::detail {
 namespace {
-
-constexpr std::size_t nobody = static_cast<std::size_t>(-1);
-constexpr double not_known_to_first_order = std::numeric_limits<double>::quiet_NaN();
-
-/// Rounding makes a variance of nothing negative.
-double uncertainty_of(double variance) {
-    return variance < 0.0 ? 0.0 : std::sqrt(variance);
-}
-
-/// Variances of one output without each contributor, and of each alone.
-class Variances {
-public:
-    explicit Variances(std::size_t contributors) : without(contributors), alone(contributors) {}
-    void clear() {
-        std::fill(without.begin(), without.end(), 0.0);
-        std::fill(alone.begin(), alone.end(), 0.0);
-    }
-    /// Adds the variance that components of contributors a and b (which may be the same) bring in together.
-    void add(std::size_t a, std::size_t b, double variance) {
-        for (std::size_t k = 0; k < without.size(); ++k)
-            if (k != a && k != b) without[k] += variance;
-        if (a == b && a != nobody) alone[a] += variance;
-    }
-
-    std::vector<double> without, alone;
-};
-
-/// u of the outputs without, and of, each contributor.
-void add_first_order(const LawOfPropagation& law, const Correlations& correlations,
-                     const std::vector<std::size_t>& who, std::vector<ContributorResult>& results) {
-    std::vector<double> part(who.size(), 0.0);
-    Variances variances(results.size());
-    for (std::size_t j = 0; j < law.terms.size(); ++j) {
-        const std::vector<PropagationTerm>& terms = law.terms[j];
-        variances.clear();
-        for (const PropagationTerm& term : terms) {
-            part[term.component] = term.contribution;
-            const std::size_t by = who[term.component];
-            variances.add(by, by, term.contribution * term.contribution);
-        }
-        for (const ComponentCorrelation& r : correlations)
-            variances.add(who[r.first], who[r.second], 2.0 * r.coefficient * part[r.first] * part[r.second]);
-        for (const PropagationTerm& term : terms) part[term.component] = 0.0;
-        if (!law.differentiable[j]) {
-            std::fill(variances.without.begin(), variances.without.end(), not_known_to_first_order);
-            std::fill(variances.alone.begin(), variances.alone.end(), not_known_to_first_order);
-        }
-        for (std::size_t k = 0; k < results.size(); ++k) {
-            results[k].without.first_order.push_back(uncertainty_of(variances.without[k]));
-            results[k].alone.first_order.push_back(uncertainty_of(variances.alone[k]));
-        }
-    }
-}
 
 std::vector<bool> brought_in_by(const InputSet& inputs, const std::string& contributor, bool by_it) {
     std::vector<bool> counts;
@@ -106,25 +54,61 @@ InputSet with_held(InputSet inputs, const std::vector<bool>& counts) {
     return inputs;
 }
 
+/// Rounding makes a variance of nothing negative.
+double uncertainty_of(double variance) {
+    return variance < 0.0 ? 0.0 : std::sqrt(variance);
+}
+
 }  // namespace
+
+ContributorSums::ContributorSums(const InputSet& inputs, const LawOfPropagation& law,
+                                 const Correlations& correlations)
+    : correlations_(correlations), part_(inputs.components.size(), 0.0) {
+    const std::vector<Contributor> contributors = contributors_in(inputs, law);
+    std::unordered_map<std::string, std::size_t> numbers;
+    for (const Contributor& c : contributors) {
+        numbers.emplace(c.id, results_.size());
+        results_.push_back({title_of(c, contributors), c.components, {}, {}});
+        for (auto* both : {&results_.back().without, &results_.back().alone})
+            both->first_order.resize(static_cast<std::size_t>(law.estimate.size()));
+    }
+    for (const UncertaintyComponent& c : inputs.components) {
+        const auto number = numbers.find(c.contributor);
+        who_.push_back(number == numbers.end() ? nobody : number->second);
+    }
+}
+
+void ContributorSums::take(std::size_t output, const std::vector<PropagationTerm>& terms, bool is_known) {
+    without_.assign(results_.size(), 0.0);
+    alone_.assign(results_.size(), 0.0);
+    for (const PropagationTerm& term : terms) {
+        part_[term.component] = term.contribution;
+        const std::size_t by = who_[term.component];
+        add(by, by, term.contribution * term.contribution);
+    }
+    for (const ComponentCorrelation& r : correlations_)
+        add(who_[r.first], who_[r.second], 2.0 * r.coefficient * part_[r.first] * part_[r.second]);
+    for (const PropagationTerm& term : terms) part_[term.component] = 0.0;
+    constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
+    for (std::size_t k = 0; k < results_.size(); ++k) {
+        results_[k].without.first_order[output] = is_known ? uncertainty_of(without_[k]) : not_known;
+        results_[k].alone.first_order[output] = is_known ? uncertainty_of(alone_[k]) : not_known;
+    }
+}
+
+void ContributorSums::add(std::size_t a, std::size_t b, double variance) {
+    for (std::size_t k = 0; k < without_.size(); ++k)
+        if (k != a && k != b) without_[k] += variance;
+    if (a == b && a != nobody) alone_[a] += variance;
+}
 
 std::vector<ContributorResult> contributors_of(const InputSet& inputs, const LawOfPropagation& law,
                                                const Correlations& correlations) {
-    const std::vector<Contributor> contributors = contributors_in(inputs, law);
-    if (contributors.size() < 2) return {};
-    std::vector<ContributorResult> results;
-    std::unordered_map<std::string, std::size_t> numbers;
-    for (const Contributor& c : contributors) {
-        numbers.emplace(c.id, results.size());
-        results.push_back({title_of(c, contributors), c.components, {}, {}});
-    }
-    std::vector<std::size_t> who;
-    for (const UncertaintyComponent& c : inputs.components) {
-        const auto number = numbers.find(c.contributor);
-        who.push_back(number == numbers.end() ? nobody : number->second);
-    }
-    add_first_order(law, correlations, who, results);
-    return results;
+    if (law.condensed) return law.condensed->contributors;
+    ContributorSums sums(inputs, law, correlations);
+    if (!sums.are_several()) return {};
+    for (std::size_t j = 0; j < law.terms.size(); ++j) sums.take(j, law.terms[j], law.differentiable[j]);
+    return sums.take_results();
 }
 
 Result<void> add_contributor_trials(std::vector<ContributorResult>& contributors, const RunContext& context,

@@ -33,8 +33,8 @@ public:
         for (const std::size_t j : outputs)
             line_.outputs.push_back(
                 output_result(model.outputs()[j], law, static_cast<Eigen::Index>(j), options));
-        covariance_ =
-            law.covariance.is_whole() ? law.covariance.among(outputs) : covariance_among(law, outputs);
+        covariance_ = law.covariance.is_whole() || law.condensed ? law.covariance.among(outputs)
+                                                                 : covariance_among(law, outputs);
     }
 
     /// False: stopped.

@@ -8,7 +8,8 @@
 #include <utility>
 
 #include "core/math/special_quantiles.h"
-#include "core/quantity/effective_degrees.h"
+#include "core/propagation/condensed_law.h"
+#include "core/propagation/term_maker.h"
 
 namespace covaria::detail {
 namespace {
@@ -56,9 +57,12 @@ OutputFlags differentiable_outputs(const MeasurementModel& model, std::span<cons
     return good;
 }
 
-Result<void> evaluate_at_estimates(const MeasurementModel& model, LawOfPropagation& law,
-                                   SensitivityRows& rows) {
-    const std::span<const double> x(law.inputs.data(), static_cast<std::size_t>(law.inputs.size()));
+std::span<const double> estimates_in(const LawOfPropagation& law) {
+    return {law.inputs.data(), static_cast<std::size_t>(law.inputs.size())};
+}
+
+Result<void> evaluate_at_estimates(const MeasurementModel& model, LawOfPropagation& law) {
+    const std::span<const double> x = estimates_in(law);
     law.estimate.resize(static_cast<Eigen::Index>(model.outputs().size()));
     const std::span<double> y(law.estimate.data(), model.outputs().size());
     law.estimate.setZero();
@@ -68,87 +72,15 @@ Result<void> evaluate_at_estimates(const MeasurementModel& model, LawOfPropagati
                          "check the nominal geometry and the values entered">(
                         named_outputs(model, law.estimate.array().isFinite())));
     law.differentiable.assign(model.outputs().size(), true);
-    if (model.sensitivities(x, rows)) return {};
-    const OutputFlags good = differentiable_outputs(model, x, rows);
-    law.differentiable.assign(good.begin(), good.end());
     return {};
 }
 
-/// Numbers by component, of which only some are not zero.
-class Scratch {
-public:
-    explicit Scratch(std::size_t components) : values_(components, 0.0), used_(components, false) {}
-    double& operator[](std::size_t component) {
-        if (!used_[component]) touched_.push_back(component);
-        used_[component] = true;
-        return values_[component];
-    }
-    double value(std::size_t component) const { return values_[component]; }
-    /// Components that were written to, rising.
-    const std::vector<std::size_t>& touched() {
-        std::sort(touched_.begin(), touched_.end());
-        return touched_;
-    }
-    void clear() {
-        for (const std::size_t c : touched_) {
-            values_[c] = 0.0;
-            used_[c] = false;
-        }
-        touched_.clear();
-    }
-
-private:
-    std::vector<double> values_;
-    std::vector<bool> used_;
-    std::vector<std::size_t> touched_;
-};
-
-/// Maker of the terms of an output from its sensitivities to the input quantities.
-class TermMaker {
-public:
-    TermMaker(const InputSet& inputs, const Correlations& correlations, const Eigen::VectorXd& u)
-        : inputs_(inputs),
-          u_(u),
-          partners_(inputs.components.size()),
-          sensitivity_(inputs.components.size()),
-          correlated_(inputs.components.size()) {
-        for (const ComponentCorrelation& r : correlations) {
-            partners_[r.first].push_back({r.second, r.coefficient});
-            partners_[r.second].push_back({r.first, r.coefficient});
-        }
-    }
-
-    std::vector<PropagationTerm> make(const std::vector<Sensitivity>& row) {
-        sensitivity_.clear();
-        correlated_.clear();
-        for (const Sensitivity& s : row)
-            for (const Share& share : inputs_.quantities[s.input].shares)
-                sensitivity_[share.component] += s.coefficient * share.factor;
-        for (const std::size_t c : sensitivity_.touched()) {
-            correlated_[c] += contribution(c);
-            for (const Partner& partner : partners_[c])
-                correlated_[partner.component] += partner.coefficient * contribution(c);
-        }
-        std::vector<PropagationTerm> terms;
-        for (const std::size_t c : correlated_.touched())
-            terms.push_back({c, sensitivity_.value(c), contribution(c), correlated_.value(c)});
-        return terms;
-    }
-
-private:
-    struct Partner {
-        std::size_t component;
-        double coefficient;
-    };
-    double contribution(std::size_t c) const {
-        return sensitivity_.value(c) * u_(static_cast<Eigen::Index>(c));
-    }
-
-    const InputSet& inputs_;
-    const Eigen::VectorXd& u_;
-    std::vector<std::vector<Partner>> partners_;
-    Scratch sensitivity_, correlated_;
-};
+void take_sensitivities(const MeasurementModel& model, LawOfPropagation& law) {
+    const std::span<const double> x = estimates_in(law);
+    if (model.sensitivities(x, law.sensitivities)) return;
+    const OutputFlags good = differentiable_outputs(model, x, law.sensitivities);
+    law.differentiable.assign(good.begin(), good.end());
+}
 
 constexpr std::size_t most_dense = 4'000'000;  // outputs x components of a matrix made without a thought
 constexpr std::size_t few_outputs = 64;        // outputs that a component concerns, for sums without a matrix
@@ -197,20 +129,6 @@ Eigen::MatrixXd whole_covariance(const LawOfPropagation& law) {
     return covariance;
 }
 
-/// Covariance of one pair of outputs; their terms are in the order of the components.
-double covariance_of_pair(const std::vector<PropagationTerm>& a, const std::vector<PropagationTerm>& b) {
-    double sum = 0.0;
-    for (auto s = a.begin(), t = b.begin(); s != a.end() && t != b.end();) {
-        if (s->component == t->component) {
-            sum += 0.5 * (s->correlated * t->contribution + t->correlated * s->contribution);
-            ++s, ++t;
-        } else {
-            ++(s->component < t->component ? s : t);
-        }
-    }
-    return sum;
-}
-
 }  // namespace
 
 Eigen::MatrixXd covariance_among(const LawOfPropagation& law, const std::vector<std::size_t>& outputs) {
@@ -239,7 +157,9 @@ OutputCovariance covariance_of(const LawOfPropagation& law, const OutputBlocks& 
     return covariance;
 }
 
-WelchSatterthwaite rule_for(const InputSet& inputs, const Correlations& correlations) {
+}  // namespace
+
+WelchSatterthwaite degrees_of_freedom_rule(const InputSet& inputs, const Correlations& correlations) {
     const std::vector<std::size_t> estimates = inputs.estimates_of_components();
     std::vector<WelchSatterthwaite::Source> sources;
     for (std::size_t c = 0; c < inputs.components.size(); ++c)
@@ -247,8 +167,10 @@ WelchSatterthwaite rule_for(const InputSet& inputs, const Correlations& correlat
     return {std::move(sources), correlations};
 }
 
+namespace {
+
 void add_degrees_of_freedom(const InputSet& inputs, const Correlations& correlations, LawOfPropagation& law) {
-    WelchSatterthwaite rule = rule_for(inputs, correlations);
+    WelchSatterthwaite rule = degrees_of_freedom_rule(inputs, correlations);
     law.degrees_of_freedom.resize(law.estimate.size());
     std::vector<WelchSatterthwaite::Part> parts;
     for (Eigen::Index j = 0; j < law.estimate.size(); ++j) {
@@ -290,15 +212,30 @@ Eigen::MatrixXd factor_matrix(const InputSet& inputs) {
     return factors;
 }
 
+namespace {
+
+/// All terms of all outputs, and what follows from them.
+void take_terms(const MeasurementModel& model, const InputSet& inputs, const Correlations& correlations,
+                LawOfPropagation& law) {
+    take_sensitivities(model, law);
+    TermMaker maker(inputs, correlations, law.u);
+    for (const std::vector<Sensitivity>& row : law.sensitivities) maker.make(row, law.terms.emplace_back());
+    law.covariance = covariance_of(law, OutputBlocks::of(model.outputs()));
+    for (std::size_t j = 0; j < law.differentiable.size(); ++j)
+        if (!law.differentiable[j]) law.covariance.set(static_cast<Eigen::Index>(j), unknown_to_first_order);
+    add_degrees_of_freedom(inputs, correlations, law);
+}
+
+}  // namespace
+
 Result<LawOfPropagation> law_of_propagation(const MeasurementModel& model, const InputSet& inputs,
-                                            const Correlations& correlations) {
+                                            const Correlations& correlations, const LawSizes& sizes) {
     LawOfPropagation law;
     const auto quantities = static_cast<Eigen::Index>(inputs.quantities.size());
     law.inputs.resize(quantities);
     for (Eigen::Index i = 0; i < quantities; ++i)
         law.inputs(i) = estimate_of(inputs, static_cast<std::size_t>(i));
-    SensitivityRows& rows = law.sensitivities;
-    if (auto ok = evaluate_at_estimates(model, law, rows); !ok) return fail(ok.error());
+    if (auto ok = evaluate_at_estimates(model, law); !ok) return fail(ok.error());
 
     const auto components = static_cast<Eigen::Index>(inputs.components.size());
     law.u.resize(components);
@@ -306,13 +243,12 @@ Result<LawOfPropagation> law_of_propagation(const MeasurementModel& model, const
         const UncertaintyComponent& component = inputs.components[static_cast<std::size_t>(c)];
         law.u(c) = component.held ? 0.0 : component.distribution.standard_uncertainty();
     }
-    TermMaker maker(inputs, correlations, law.u);
-    for (const std::vector<Sensitivity>& row : rows) law.terms.push_back(maker.make(row));
-    law.covariance = covariance_of(law, OutputBlocks::of(model.outputs()));
-    for (std::size_t j = 0; j < law.differentiable.size(); ++j)
-        if (!law.differentiable[j]) law.covariance.set(static_cast<Eigen::Index>(j), unknown_to_first_order);
-
-    add_degrees_of_freedom(inputs, correlations, law);
+    const bool are_many = model.outputs().size() * inputs.quantities.size() > sizes.most_sensitivities;
+    const auto source = are_many ? model.sensitivity_source(estimates_in(law)) : nullptr;
+    if (source)
+        condense(*source, model, inputs, correlations, sizes.most_budget_rows, law);
+    else
+        take_terms(model, inputs, correlations, law);
     return law;
 }
 
@@ -328,7 +264,7 @@ LawOfPropagation law_of_draws(const InputSet& inputs, const Correlations& correl
             drawn.u(c) =
                 drawn_distribution(inputs.components[static_cast<std::size_t>(c)]).standard_deviation();
     TermMaker maker(inputs, correlations, drawn.u);
-    for (const std::vector<Sensitivity>& row : law.sensitivities) drawn.terms.push_back(maker.make(row));
+    for (const std::vector<Sensitivity>& row : law.sensitivities) maker.make(row, drawn.terms.emplace_back());
     return drawn;
 }
 

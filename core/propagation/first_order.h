@@ -2,11 +2,13 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 #include <vector>
 
 #include "core/base/error.h"
 #include "core/model/measurement_model.h"
 #include "core/propagation/options.h"
+#include "core/quantity/effective_degrees.h"
 #include "core/result/output_covariance.h"
 
 namespace covaria::detail {
@@ -22,6 +24,8 @@ struct PropagationTerm {
     double correlated = 0.0;
 };
 
+struct CondensedTerms;  // core/propagation/condensed_law.h
+
 struct LawOfPropagation {
     Eigen::VectorXd inputs;    ///< estimates x
     Eigen::VectorXd estimate;  ///< y = f(x)
@@ -35,6 +39,8 @@ struct LawOfPropagation {
     /// Whether each output has sensitivity coefficients. Without them nothing is known of it to first order:
     /// it has no terms, and its covariances are no numbers.
     std::vector<bool> differentiable;
+    /// In place of `terms` and `sensitivities`, which are empty then: they would not fit into memory.
+    std::shared_ptr<const CondensedTerms> condensed = {};
 
     bool is_differentiable() const;
     double uncertainty(Eigen::Index j) const;
@@ -59,9 +65,19 @@ Eigen::MatrixXd sensitivity_matrix(const LawOfPropagation& law);
 /// Why the law of propagation says nothing of some outputs: for whoever has no trials that would.
 Error without_sensitivities(const MeasurementModel& model, const LawOfPropagation& law);
 
+/// How much of the law is kept in memory.
+struct LawSizes {
+    /// Sensitivity coefficients from which on a model that gives them row by row has them condensed.
+    std::size_t most_sensitivities = 4'000'000;
+    std::size_t most_budget_rows = 200'000;  ///< of a condensed law, over all outputs
+};
+
 /// Error{numeric}: the model has no value at the estimates.
 Result<LawOfPropagation> law_of_propagation(const MeasurementModel& model, const InputSet& inputs,
-                                            const Correlations& correlations);
+                                            const Correlations& correlations, const LawSizes& sizes = {});
+
+/// Effective degrees of freedom of combinations of these components.
+WelchSatterthwaite degrees_of_freedom_rule(const InputSet& inputs, const Correlations& correlations);
 
 /// k of a coverage probability: t quantile, or normal for infinite degrees of freedom (JCGM 100 G.3.4).
 double coverage_factor_of(double probability, double degrees_of_freedom);

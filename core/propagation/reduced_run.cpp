@@ -25,7 +25,8 @@ double gain_of(double explained) {
 
 Message little_gained(double explained) {
     return tell<"the linear part explains %1 % of the variance: a gain of %2">(
-        format_decimals(100.0 * explained, 0), format_short(gain_of(explained), 2));
+        Message::number(format_decimals(100.0 * explained, 0)),
+        Message::number(format_short(gain_of(explained), 2)));
 }
 
 /// Otherwise the scatter of the figure between batches tells nothing. Ends of intervals always have one.
@@ -83,6 +84,10 @@ ReducedRun::ReducedRun(const TrialSource& source, const InputSet& inputs, const 
 }
 
 void ReducedRun::offer_controls() {
+    if (law_.condensed) {
+        plain_because_.assign(source_.outputs(), tell<"it has too many components for a linear part">());
+        return;
+    }
     LinearTermMaker maker(inputs_, correlations_);
     std::vector<LinearRow> rows;
     for (std::size_t j = 0; j < source_.outputs(); ++j) {

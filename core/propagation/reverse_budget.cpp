@@ -38,9 +38,13 @@ public:
         : outputs_{result.outputs[output].quantity} {
         std::vector<std::size_t> place(result.inputs->components.size(), InputSet::npos);
         for (const BudgetRow& row : result.budget.rows[output]) {
-            place[row.component] = inputs_.add(result.inputs->components[row.component]);
+            const bool is_rest = result.budget.components[row.component].is_rest;
+            const std::size_t added = inputs_.add(
+                is_rest ? UncertaintyComponent{.distribution = Distribution::normal(row.contribution)}
+                        : result.inputs->components[row.component]);
+            if (!is_rest) place[row.component] = added;
             row_.push_back({inputs_.quantities.size(), row.sensitivity});
-            inputs_.quantities.push_back({.symbol = {}, .name = {}, .shares = {{place[row.component], 1.0}}});
+            inputs_.quantities.push_back({.symbol = {}, .name = {}, .shares = {{added, 1.0}}});
         }
         for (const VarianceEstimate& estimate : result.inputs->variance_estimates)
             for (const std::size_t c : estimate.components)
@@ -258,7 +262,7 @@ Result<ReverseBudget> searched(VariedUncertainty& varied, const UncertaintyResul
     for (const BudgetRow& row : result.budget.rows[output]) {
         const BudgetComponent& component = result.budget.components[row.component];
         if (made.reductions.size() == most_components) break;
-        if (!(row.contribution > 0.0) || component.held) continue;
+        if (!(row.contribution > 0.0) || component.held || component.is_rest) continue;
         FactorSearch search([&](double factor) { return varied.of_component(row.component, factor); }, now,
                             target, varied.tolerance());
         const auto factor = search.find(varied.steps());

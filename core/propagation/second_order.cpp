@@ -92,7 +92,7 @@ Result<Derivatives> differences(const MeasurementModel& model, const LawOfPropag
 Result<SecondOrder> second_order_terms(const MeasurementModel& model, const InputSet& inputs,
                                        const LawOfPropagation& law, const std::stop_token& stop) {
     SecondOrder terms{Eigen::VectorXd::Zero(law.estimate.size()), Eigen::VectorXd::Zero(law.estimate.size())};
-    if (law.terms.size() * inputs.components.size() > most_terms)
+    if (law.condensed || law.terms.size() * inputs.components.size() > most_terms)
         return fail(ErrorCode::bad_input, tell<"there are too many quantities for them">());
     const Eigen::MatrixXd factors = factor_matrix(inputs), sensitivity = sensitivity_matrix(law);
     const Eigen::RowVectorXd squares = law.u.array().square().matrix().transpose();

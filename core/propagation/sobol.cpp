@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/propagation/condensed_law.h"
 #include "core/propagation/parallel_blocks.h"
 #include "core/quantity/component_pairs.h"
 
@@ -28,6 +29,17 @@ std::vector<std::vector<std::size_t>> joint_sets(const InputSet& inputs, const C
     for (std::size_t c = 0; c < known.size(); ++c)
         if (!known[c]) sets.push_back({c});
     return sets;
+}
+
+/// Largest share of each component in the budgets of a condensed law, by component; zero: it is in none.
+std::vector<double> condensed_weights(const LawOfPropagation& law) {
+    std::vector<double> weights;
+    if (!law.condensed) return weights;
+    weights.resize(law.condensed->budget.components.size(), 0.0);
+    for (const std::vector<BudgetRow>& rows : law.condensed->budget.rows)
+        for (const BudgetRow& row : rows)
+            weights[row.component] = std::max(weights[row.component], std::abs(row.share));
+    return weights;
 }
 
 /// Largest share of the variance of any output, by first order.
@@ -171,11 +183,16 @@ private:
 
 std::vector<SobolFactor> sobol_factors(const InputSet& inputs, const LawOfPropagation& law,
                                        const Correlations& correlations, std::size_t most) {
+    const std::vector<double> known = condensed_weights(law);
     std::vector<std::pair<double, std::vector<std::size_t>>> weighted;
     for (std::vector<std::size_t>& set : joint_sets(inputs, correlations)) {
         // A share of zero at the estimates need not be zero elsewhere: whatever varies counts.
         std::erase_if(set, [&](std::size_t c) { return !(law.u(static_cast<Eigen::Index>(c)) > 0.0); });
-        if (!set.empty()) weighted.emplace_back(weight_of(set, law), std::move(set));
+        if (set.empty()) continue;
+        double weight = 0.0;
+        for (const std::size_t c : law.condensed ? set : std::vector<std::size_t>())
+            weight = std::max(weight, known[c]);
+        weighted.emplace_back(law.condensed ? weight : weight_of(set, law), std::move(set));
     }
     std::stable_sort(weighted.begin(), weighted.end(),
                      [](const auto& a, const auto& b) { return a.first > b.first; });

@@ -11,7 +11,7 @@ SummaryControls::SummaryControls(const InputSet& inputs, const Correlations& cor
     LinearTermMaker maker(inputs, correlations);
     std::vector<LinearRow> rows;
     std::vector<std::size_t> chosen;
-    for (std::size_t k = 0; k < outputs.size(); ++k) {
+    for (std::size_t k = 0; k < outputs.size() && !law.condensed; ++k) {
         auto terms = maker.make(law.terms[outputs[k]]);
         if (!terms) continue;
         LinearDistribution distribution(*std::move(terms));

@@ -118,6 +118,8 @@ private:
 
     /// Adds a note on components without a row: their names, or their number.
     void add_note_on_zeros() {
+        // What has no row of its own is in a rest, and nobody knows what contributes nothing.
+        if (!result_.budget.components.empty() && result_.budget.components.back().is_rest) return;
         std::vector<bool> has_row(result_.budget.components.size(), false);
         for (std::size_t i = 0; i < places_.size(); ++i) has_row[row(i).component] = true;
         const auto zeros = static_cast<std::size_t>(std::count(has_row.begin(), has_row.end(), false));

@@ -115,10 +115,14 @@ struct BudgetComponent {
     std::vector<GroupTag> tags = {};      ///< its own and those of that quantity
     double estimate = 0.0;                ///< estimate of that first quantity
     Unit quantity_unit = {};              ///< its unit, for display
+    /// Whether it stands for all components of one group that have no row of their own in the budget of an
+    /// output, because all rows of all outputs would not fit into memory. It is no component of the inputs.
+    bool is_rest = false;
 };
 
 /// Per output, the rows sorted by falling |share|.
 struct UncertaintyBudget {
+    /// Those of the inputs, in their order; then the rests.
     std::vector<BudgetComponent> components;
     std::vector<std::vector<BudgetRow>>
         rows;  ///< [output][...]; without zero sensitivities, unless few components have no other

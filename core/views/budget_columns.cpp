@@ -43,7 +43,7 @@ const Unit& unit_of(const BudgetComponent& c) {
 /// them. It is in the row's unit, or has its own where the component is of another dimension than its
 /// quantity.
 Cell estimate_cell(const BudgetComponent& c, const NumberLocale& numbers) {
-    if (c.quantities.size() > 1) return {};
+    if (c.quantities.size() > 1 || c.is_rest) return {};
     if (unit_of(c).dimension() == c.quantity_unit.dimension())
         return Measured{c.estimate, Scale::value, unit_of(c), {}};
     const Unit& own = c.quantity_unit;
@@ -163,6 +163,10 @@ Table budget_table(const UncertaintyResult& result, std::vector<BudgetPlace> at,
     const auto add = [&](const char* key, auto get) -> Column& {
         return table.add(key, of_line(result, places, get));
     };
+    // Many components together have a contribution and a share, and no other figure in common.
+    const auto add_of_one = [&](const char* key, auto get) -> Column& {
+        return add(key, [get](L l) { return l.component.is_rest ? Cell() : Cell(get(l)); });
+    };
     add("group", [](L l) -> Cell { return l.output.group; });
     add("output", [](L l) -> Cell { return Symbols{l.output.symbol}; });
     add("output unit", [](L l) -> Cell { return l.output.unit; });
@@ -181,35 +185,35 @@ Table budget_table(const UncertaintyResult& result, std::vector<BudgetPlace> at,
         .print("Component")
         .not_in_files();
     add("id", [](L l) -> Cell { return l.component.id; });
-    add("unit", [](L l) -> Cell { return unit_of(l.component); })
+    add_of_one("unit", [](L l) -> Cell { return unit_of(l.component); })
         .print("Unit")
         .window("Unit", "Of the component's u");
     add_estimate(table, result, places, language.numbers());
-    add("u", [](L l) { return interval(l.component.standard_uncertainty, unit_of(l.component)); })
+    add_of_one("u", [](L l) { return interval(l.component.standard_uncertainty, unit_of(l.component)); })
         .print_symbol("u(x_i)")
         .window("u", "Standard uncertainty of the component")
         .uncertainty()
         .of_row({"estimate", "u"});
-    add("distribution", [](L l) -> Cell { return l.component.distribution; })
+    add_of_one("distribution", [](L l) -> Cell { return l.component.distribution; })
         .print("Distribution")
         .window("Distribution")
         .of_own_words();
-    add("type", [](L l) -> Cell { return result_words::type_text(l.component.type); })
+    add_of_one("type", [](L l) -> Cell { return result_words::type_text(l.component.type); })
         .print("Type")
         .window("Type", "Type A or Type B evaluation (JCGM 100 2.3.2, 2.3.3)");
-    add("degrees of freedom", [](L l) -> Cell { return Measured{l.component.degrees_of_freedom}; })
+    add_of_one("degrees of freedom", [](L l) -> Cell { return Measured{l.component.degrees_of_freedom}; })
         .print_symbol("nu_i")
         .window(symbol_text("nu"), "Degrees of freedom")
         .degrees_of_freedom();
-    add("sensitivity",
-        [](L l) -> Cell {
-            return Measured{l.row.sensitivity, Scale::interval, l.output.unit, unit_of(l.component)};
-        })
+    add_of_one("sensitivity",
+               [](L l) -> Cell {
+                   return Measured{l.row.sensitivity, Scale::interval, l.output.unit, unit_of(l.component)};
+               })
         .print_symbol("c_i")
         .window("c", "Sensitivity coefficient, unit of the output quantity per unit of the component")
         .figure_no_fewer(sensitivity_digits)
         .with_unit();
-    add("sensitivity unit", [](L l) -> Cell { return quotient(l.output.unit, unit_of(l.component)); });
+    add_of_one("sensitivity unit", [](L l) -> Cell { return quotient(l.output.unit, unit_of(l.component)); });
     add("contribution", [](L l) { return interval(l.row.contribution, l.output.unit); })
         .print(unit ? "|cᵢ|·u(xᵢ) in %1" : "|cᵢ|·u(xᵢ)")
         .window("|c|·u", "Contribution to the standard uncertainty")

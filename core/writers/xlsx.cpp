@@ -38,6 +38,7 @@ struct SheetLine {
     std::size_t component = 0;
     double sensitivity = 0.0;  ///< sensitivity in SI
     std::string symbol;
+    double contribution = 0.0;  ///< in SI
 };
 
 std::string range(int column, int first, int last) {
@@ -109,7 +110,7 @@ std::vector<SheetLine> lines_of(const UncertaintyBudget& budget, std::size_t out
         std::string label = component.quantities.size() == 1 ? component.quantities.front() : component.id;
         for (const SheetLine& other : lines)
             if (other.symbol == label && other.sensitivity != row.sensitivity) label = component.id;
-        lines.push_back({row.component, row.sensitivity, label});
+        lines.push_back({row.component, row.sensitivity, label, row.contribution});
     }
     std::sort(lines.begin(), lines.end(),
               [](const SheetLine& a, const SheetLine& b) { return a.component < b.component; });
@@ -219,10 +220,12 @@ public:
 private:
     void write_line(const SheetLine& line) {
         const BudgetComponent& component = result_.budget.components[line.component];
-        const Unit x = component.unit.interval();
-        book_.text(row_, symbol, line.symbol);
+        // Of many components together only the contribution is one figure.
+        const Unit x = component.is_rest ? y_ : component.unit.interval();
+        const double u_of_line = component.is_rest ? line.contribution : component.standard_uncertainty;
+        book_.text(row_, symbol, component.is_rest ? "" : line.symbol);
         book_.text(row_, name, component.name.english());
-        if (line.symbol != before_) {
+        if (line.symbol != before_ && !component.is_rest) {
             const bool own = component.quantities.size() == 1 && component.quantity_unit.interval() == x;
             const double x_i = own ? component.quantity_unit.from_si(component.estimate) : 0.0;
             book_.number(
@@ -232,7 +235,7 @@ private:
         before_ = line.symbol;
         const bool offset = component.quantity_unit.has_offset() && component.quantity_unit.interval() == x;
         book_.text(row_, unit, offset ? component.quantity_unit.display() : x.display(), Look::after_number);
-        const double u_i = x.interval_from_si(component.standard_uncertainty);
+        const double u_i = x.interval_from_si(u_of_line);
         book_.number(row_, u, u_i, Look::stated, format_of_digits(u_i, digits_of_parts));
         book_.text(row_, distribution, component.distribution, Look::after_number);
         const double degrees = component.degrees_of_freedom;

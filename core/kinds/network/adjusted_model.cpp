@@ -6,6 +6,7 @@
 
 #include "core/base/name.h"
 #include "core/kinds/network/adjusted_checks.h"
+#include "core/kinds/network/adjusted_sensitivities.h"
 #include "core/kinds/network/adjusted_trials.h"
 #include "core/kinds/network/seen_figures.h"
 #include "core/kinds/points/output_points.h"
@@ -119,17 +120,14 @@ public:
     void evaluate_block(const TrialBlock& block) const override { trials_.evaluate(block); }
 
     bool sensitivities(std::span<const double> x, SensitivityRows& rows) const override {
-        std::vector<double> state;
-        if (!trials_.find_state(x, state)) return false;
-        const adjustment::SparseRows J = network::design_of(network_, state.data());
+        const auto source = sensitivity_source(x);
         rows.assign(outputs_.size(), {});
-        for (std::size_t k = 0; k < rows.size(); ++k) {
-            const Eigen::VectorXd by_reading = trials_.weighted() * implied(J, wanted(k, state.data()));
-            if (!by_reading.allFinite()) return false;
-            for (Eigen::Index i = 0; i < by_reading.size(); ++i)
-                if (by_reading[i] != 0.0) rows[k].push_back({static_cast<std::size_t>(i), by_reading[i]});
-        }
-        return true;
+        for (std::size_t k = 0; source && k < rows.size(); ++k)
+            if (!source->row(k, rows[k])) return false;
+        return source != nullptr;
+    }
+    std::unique_ptr<const SensitivitySource> sensitivity_source(std::span<const double> x) const override {
+        return network::sensitivities_at(network_, trials_, x);
     }
 
     bool jacobian(std::span<const double> x, Eigen::MatrixXd& jacobian) const override {
@@ -140,37 +138,6 @@ public:
     }
 
 private:
-    Eigen::Vector3d along(std::size_t from, std::size_t to, const double* state) const {
-        return Eigen::Map<const Eigen::Vector3d>(state + 3 * to) -
-               Eigen::Map<const Eigen::Vector3d>(state + 3 * from);
-    }
-
-    /// The gradient of an output by the unknowns.
-    Eigen::VectorXd wanted(std::size_t output, const double* state) const {
-        const auto n = static_cast<Eigen::Index>(network_.place_of.size());
-        Eigen::VectorXd e = Eigen::VectorXd::Zero(n);
-        if (output < network_.place_of.size()) {
-            e[static_cast<Eigen::Index>(output)] = 1.0;
-            return e;
-        }
-        return network::gradient_of_distance(network_, output - network_.place_of.size(), state);
-    }
-
-    /// The vector (J₀ᵀ C⁻¹ J)⁻ᵀ e, in steps with the factor at the estimates: where J is J₀ the first step is
-    /// the last.
-    Eigen::VectorXd implied(const adjustment::SparseRows& J, const Eigen::VectorXd& e) const {
-        constexpr int most_steps = 30;
-        Eigen::VectorXd z = network_.adjusted->cofactors(e);
-        for (int k = 0; k < most_steps; ++k) {
-            const Eigen::VectorXd forward = trials_.weighted() * z;
-            const Eigen::VectorXd left = e - J.transpose() * forward;
-            const Eigen::VectorXd change = network_.adjusted->cofactors(left);
-            z += change;
-            if (change.norm() <= 1e-13 * z.norm()) break;
-        }
-        return z;
-    }
-
     void describe_outputs() {
         const Unit unit = Unit::of(is_large(network_) ? "m" : "mm");
         for (const std::size_t place : network_.place_of) {
