@@ -17,6 +17,7 @@
 #include "core/project/stated_requirements.h"
 #include "core/report/stated_uncertainty.h"
 #include "core/text/numbers.h"
+#include "core/views/decisions.h"
 #include "core/views/seen_table.h"
 
 namespace covaria {
@@ -81,6 +82,14 @@ TestCase certificate_case(const CertificateUse& use) {
     return made;
 }
 
+/// What the data do not decide is not shown to be met.
+TestCase decision_case(const DecidedRow& decision) {
+    TestCase made{to_unicode(decision.subject), {}};
+    if (decision.verdict.is != TestVerdict::Is::met)
+        made.failure = decision.verdict.words.english() + "; " + to_unicode(decision.figures);
+    return made;
+}
+
 TestSuite suite_of(const EvaluatedAnalysis& evaluated, const MadeProject& made, std::optional<double> level) {
     const Project& project = made.project();
     TestSuite suite{evaluated.analysis->id, {}, {}};
@@ -89,6 +98,9 @@ TestSuite suite_of(const EvaluatedAnalysis& evaluated, const MadeProject& made, 
     const evidence::Seen seen = redundant ? evidence::see(*redundant, *level) : evidence::Seen();
     for (std::size_t k = 0; k < seen.figures.size(); ++k)
         suite.cases.push_back(seen_case(redundant->figures[k], seen.figures[k]));
+    if (evaluated.analysis->descriptor->decides)
+        for (const DecidedRow& decision : decisions_in(evaluated.analysis->model->evaluation()))
+            suite.cases.push_back(decision_case(decision));
     for (const RequirementResult& verdict :
          judge(*evaluated.result, *project.find_analysis(suite.analysis))) {
         const OutputResult& output = evaluated.result->outputs[verdict.output];
@@ -192,7 +204,8 @@ Command check_command(CLI::App& app) {
     auto arguments = std::make_shared<CheckArguments>();
     arguments->request.studies = false;
     CLI::App* command = app.add_subcommand("check",
-                                           "Evaluate a project and judge its requirements and the "
+                                           "Evaluate a project and judge its requirements, the "
+                                           "decisions of its test sheets and the "
                                            "certificates of its figures; status 3 if one is "
                                            "not met");
     add_examples(*command, {{"check projects/conformity-micrometer.covaria", "every requirement, one a line"},

@@ -23,6 +23,9 @@ struct ModelDescriptor {
     std::string example;             ///< file in projects/
     /// Capabilities of `as_asset`: an analysis may stand where a reference asks for an asset with one.
     std::vector<std::string> capabilities = {};
+    /// Whether rows of the evaluation bear verdicts (`TestVerdict`), which then count where a project is
+    /// judged.
+    bool decides = false;
     std::string was_asset = {};  ///< the kind of asset that it was in project files of version 1
     SetupSchema schema;
     /// Null if `problems` got an error (paths relative to the set-up). `setup` has passed check_setup and its

@@ -205,6 +205,7 @@ Text written(const Table& table, const Column& column, std::size_t row, const Ta
     if (const auto* answer = std::get_if<Answer>(&cell))
         return answer->is_open ? in.say(tell<"undecided">()) : in.say_declared(answer->is ? "yes" : "no");
     if (const auto* message = std::get_if<Message>(&cell)) return running_text(in.say(*message));
+    if (const auto* verdict = std::get_if<TestVerdict>(&cell)) return running_text(in.say(verdict->words));
     if (const auto* text = std::get_if<Text>(&cell)) return *text;
     const auto* words = std::get_if<std::string>(&cell);
     if (!words) return {};

@@ -93,6 +93,7 @@ std::string english_of(const Cell& cell, const DisplayUnits& units) {
     if (const auto* symbols = std::get_if<Symbols>(&cell)) return joined(*symbols);
     if (const auto* unit = std::get_if<Unit>(&cell)) return units.of(*unit).text();
     if (const auto* answer = std::get_if<Answer>(&cell)) return answer->is ? answer->yes : answer->no;
+    if (const auto* verdict = std::get_if<TestVerdict>(&cell)) return verdict->words.english();
     return {};
 }
 

@@ -45,10 +45,16 @@ struct Answer {
     std::string yes = "yes", no = "no";  ///< words in files; people read "yes" and "no"
     bool is_open = false;                ///< people read "undecided"
 };
+/// A decision about the row that it stands in: a test, a limit with its probability.
+struct TestVerdict {
+    enum class Is { met, not_met, open };
+    Is is = Is::open;  ///< open: the data do not decide
+    Message words;     ///< those of the table: "conforms", "not passed"
+};
 /// Content of a cell. A unit, and a number with one, is shown in the view's choice for it. A `Quantity` is a
 /// number as somebody typed it, of which no digit is lost.
-using Cell =
-    std::variant<std::monostate, std::string, Message, Symbols, Text, Unit, Answer, Quantity, Measured>;
+using Cell = std::variant<std::monostate, std::string, Message, Symbols, Text, Unit, Answer, TestVerdict,
+                          Quantity, Measured>;
 
 /// Kind of the numbers of a column, which decides how they are rounded for people.
 enum class NumberRole {

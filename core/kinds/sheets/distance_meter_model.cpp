@@ -242,6 +242,7 @@ ModelDescriptor distance_meter_model() {
         "Distances count with equal weights."};
     d.help_page = "distance-meter-baseline.md";
     d.example = "distance-meter.covaria";
+    d.decides = true;
     d.schema = sheets::distance_meter_fields().schema();
     d.create = create_distance_meter;
     return d;

@@ -214,6 +214,7 @@ ModelDescriptor robot_poses_model() {
         "RP² is split between robot and instrument as if both scattered in one shape."};
     d.help_page = "robot-pose-performance.md";
     d.example = "robot-performance.covaria";
+    d.decides = true;
     d.schema = sheets::robot_poses_fields().schema();
     d.create = create_robot_poses;
     return d;

@@ -81,7 +81,7 @@ void add_conformity(Table& table, Message what, const Conformity& c, double want
         else
             cycles = tell<"none">();
     }
-    table.row({std::move(what), c.figure, c.u, c.rated, c.probability, decision.words(),
+    table.row({std::move(what), c.figure, c.u, c.rated, c.probability, decision.verdict(),
                decision.conforms ? Cell(1.0 - c.probability)
                : decision.fails  ? Cell(c.probability)
                                  : Cell(),
@@ -147,7 +147,7 @@ Table conformity_table(const RobotPosesSetup& setup, const RobotPosesFigures& fi
                            setup.probability);
         } else {
             table.row({tell<"RP_R of %1">(label_of(series)), Cell(), Cell(), *setup.rated_rp, Cell(),
-                       tell<"not decided">(), Cell(), Cell()});
+                       TestVerdict{TestVerdict::Is::open, tell<"not decided">()}, Cell(), Cell()});
         }
     }
     return table;

@@ -162,6 +162,7 @@ ModelDescriptor theodolite_model() {
         "contain."};
     d.help_page = "theodolite-rounds.md";
     d.example = "theodolite.covaria";
+    d.decides = true;
     d.schema = sheets::theodolite_fields().schema();
     d.create = create_theodolite;
     return d;

@@ -124,6 +124,7 @@ ModelDescriptor tracker_tests_model() {
         "is tested."};
     d.help_page = "tracker-tests.md";
     d.example = "tracker-test.covaria";
+    d.decides = true;
     d.schema = sheets::tracker_tests_fields().schema();
     d.create = create_tracker_tests;
     return d;

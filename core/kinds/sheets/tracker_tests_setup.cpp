@@ -163,7 +163,7 @@ std::vector<Table> tracker_tests_tables(const TrackerTestsSetup& setup) {
         conforming += decision.conforms ? 1u : 0u;
         failing += decision.fails ? 1u : 0u;
         table.row({t.position, t.kind == TrackerTestKind::two_face ? tell<"two-face">() : tell<"length">(),
-                   t.error(), 2.0 * setup.u(t), setup.mpe(t), p, decision.words()});
+                   t.error(), 2.0 * setup.u(t), setup.mpe(t), p, decision.verdict()});
     }
     table.notes.push_back(conforming == setup.tests.size() ? tell<"The tracker conforms at every position.">()
                           : failing > 0                    ? tell<"The tracker does not conform.">()

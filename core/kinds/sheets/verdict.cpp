@@ -2,8 +2,10 @@
 
 namespace covaria::sheets {
 
-Message Decision::words() const {
-    return conforms ? tell<"conforms">() : fails ? tell<"does not conform">() : tell<"not decided">();
+TestVerdict Decision::verdict() const {
+    if (conforms) return {TestVerdict::Is::met, tell<"conforms">()};
+    if (fails) return {TestVerdict::Is::not_met, tell<"does not conform">()};
+    return {TestVerdict::Is::open, tell<"not decided">()};
 }
 
 Table table_of_tests(std::string id, std::string title) {
@@ -19,7 +21,8 @@ void add_test(Table& table, const StatisticalTest& test) {
         return si ? Cell(Quantity{test.unit.interval_from_si(*si), test.unit}) : Cell();
     };
     table.row({test.question, cell(test.figure), cell(test.low), cell(test.high),
-               test.passed() ? tell<"passed">() : tell<"not passed">()});
+               test.passed() ? TestVerdict{TestVerdict::Is::met, tell<"passed">()}
+                             : TestVerdict{TestVerdict::Is::not_met, tell<"not passed">()}});
 }
 
 }  // namespace covaria::sheets

@@ -22,7 +22,7 @@ struct StatisticalTest {
 struct Decision {
     Decision(double probability, double wanted)
         : conforms(probability >= wanted), fails(probability <= 1.0 - wanted) {}
-    Message words() const;
+    TestVerdict verdict() const;
     bool conforms, fails;
 };
 

@@ -15,6 +15,7 @@
 #include "core/model/has_layout.h"
 #include "core/project/project_file.h"
 #include "core/propagation/engine.h"
+#include "core/views/decisions.h"
 #include "tests/core/kinds/allocation_counter.h"
 #include "tests/core/made.h"
 
@@ -254,6 +255,32 @@ TEST_P(Contract, SensitivitiesAreTheJacobianWithoutItsZeros) {
             EXPECT_LE((row - of_matrix).cwiseAbs().maxCoeff(), 1e-9 * of_matrix.cwiseAbs().maxCoeff());
         }
     }
+}
+
+TEST_P(Contract, SensitivitiesRowByRowAreAllRows) {
+    for (const Analysis& analysis : analyses_of(GetParam())) {
+        const std::vector<double> x = estimates(analysis.inputs());
+        const auto source = analysis.model().sensitivity_source(x);
+        if (!source) continue;
+        SensitivityRows all;
+        ASSERT_TRUE(analysis.model().sensitivities(x, all));
+        std::vector<Sensitivity> row;
+        for (std::size_t j = 0; j < all.size(); ++j) {
+            ASSERT_TRUE(source->row(j, row));
+            ASSERT_EQ(row.size(), all[j].size());
+            for (std::size_t i = 0; i < row.size(); ++i) {
+                EXPECT_EQ(row[i].input, all[j][i].input);
+                EXPECT_EQ(row[i].coefficient, all[j][i].coefficient);
+            }
+        }
+    }
+}
+
+TEST_P(Contract, VerdictsOfTablesAreDeclared) {
+    bool any = false;
+    for (const Analysis& analysis : analyses_of(GetParam()))
+        any = any || !decisions_in(analysis.model().evaluation()).empty();
+    EXPECT_EQ(any, GetParam().decides);
 }
 
 TEST_P(Contract, MonteCarloAgreesWithTheLawOfPropagationForSmallUncertainties) {
