@@ -84,6 +84,9 @@ void print_impact(const Impact& impact, bool users_only) {
         std::printf("\nto amend:\n");
         for (const std::string& file : amend) std::printf("  %s\n", file.c_str());
     }
+    if (!impact.followers.empty()) std::printf("\nthese follow when those are amended:\n");
+    for (const ImpactFollower& one : impact.followers)
+        std::printf("  %s\n", follower_words(one).english().c_str());
     for (const ImpactFailure& failure : impact.failures)
         print_message(failure.file + ": not evaluated: " + failure.cause.english());
     std::printf("%s", impact.using_it.empty() ? "" : "\n");

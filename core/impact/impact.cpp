@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 #include <system_error>
 
@@ -38,6 +39,8 @@ bool is_project_or_pdf(const fs::path& file) {
 /// The answer of one file.
 struct FileImpact {
     bool is_ours = false, is_using = false;
+    std::string number = {}, digest = {};  ///< of the document, as others cite it
+    std::vector<AssetCertificate> cited = {};
     std::vector<ImpactRow> rows = {};
     std::vector<Message> causes = {};  ///< why the file, or an analysis of it, has no rows
 };
@@ -74,6 +77,10 @@ std::vector<std::string> reached(const MadeProject& made, const std::vector<Cert
     return ids;
 }
 
+const std::string& number_of(const Project& project) {
+    return project.certificate.number.empty() ? project.number : project.certificate.number;
+}
+
 class FileQuestion {
 public:
     FileQuestion(const ImpactQuestion& question, const fs::path& file, const RunControl& control)
@@ -93,6 +100,7 @@ private:
 
     void of_project(const LoadedProject& loaded) {
         impact_.is_ours = true;
+        take_citations(loaded);
         // Nobody knows which figures a text that is no project used.
         if (!loaded.made) return say(first_error(loaded.problems, tell<"it is no project">()));
         const Project& project = loaded.made->project();
@@ -110,6 +118,20 @@ private:
         const auto made_after = MadeProject::make(*std::move(changed), loaded.made);
         const auto after = question_.asked ? question_.asked(made_after) : made_after;
         for (const std::string& id : reached(*before, holders)) compare(*before, *after, id);
+    }
+
+    void take_citations(const LoadedProject& loaded) {
+        if (!loaded.made) return;
+        const Project& project = loaded.made->project();
+        impact_.number = number_of(project);
+        if (const auto bytes = read_file(file_)) impact_.digest = sha256_of(*bytes);
+        const auto take = [&](const auto& entries) {
+            for (const auto& entry : entries)
+                impact_.cited.insert(impact_.cited.end(), entry.certificates.begin(),
+                                     entry.certificates.end());
+        };
+        take(project.assets);
+        take(project.analyses);
     }
 
     Result<UncertaintyResult> evaluate(const MadeProject& made, const std::string& id) const {
@@ -157,10 +179,8 @@ private:
 
     void add_row(const Project& project, const AnalysisEntry& entry, const OutputQuantity& quantity,
                  ImpactLine before, ImpactLine after) {
-        const std::string& number =
-            project.certificate.number.empty() ? project.number : project.certificate.number;
-        impact_.rows.push_back({file_.string(), project.title, number, entry.id, entry.name, quantity,
-                                std::move(before), std::move(after)});
+        impact_.rows.push_back({file_.string(), project.title, number_of(project), entry.id, entry.name,
+                                quantity, std::move(before), std::move(after)});
     }
 
     const ImpactQuestion& question_;
@@ -204,6 +224,34 @@ std::vector<FileImpact> answers(const ImpactQuestion& question, const RunControl
         monitor.advance(1);
     });
     return files;
+}
+
+/// Files that follow from those that change, each once.
+std::vector<ImpactFollower> followers_of(const std::vector<FileImpact>& files, std::vector<bool> changes,
+                                         const std::vector<fs::path>& names) {
+    std::multimap<std::string, std::size_t> citing;  // files by numbers and digests, in small letters
+    for (std::size_t i = 0; i < files.size(); ++i)
+        for (const AssetCertificate& certificate : files[i].cited)
+            for (const std::string& name : {certificate.number, certificate.digest})
+                if (!name.empty()) citing.emplace(in_small_letters(name), i);
+    std::vector<ImpactFollower> followers;
+    std::vector<std::size_t> open;
+    for (std::size_t i = 0; i < files.size(); ++i)
+        if (changes[i]) open.push_back(i);
+    for (std::size_t next = 0; next < open.size(); ++next) {
+        const std::size_t document = open[next];
+        for (const std::string& name : {files[document].number, files[document].digest}) {
+            const auto [begin, end] = citing.equal_range(in_small_letters(name));
+            for (auto at = begin; at != end; ++at) {
+                const std::size_t i = at->second;
+                if (changes[i]) continue;
+                changes[i] = true;
+                open.push_back(i);
+                followers.push_back({names[i].string(), name, names[document].string()});
+            }
+        }
+    }
+    return followers;
 }
 
 }  // namespace
@@ -270,6 +318,11 @@ Result<Impact> impact_of(const ImpactQuestion& question, const RunControl& contr
     if (control.stop.stop_requested())
         return fail(ErrorCode::cancelled, tell<"the evaluation was stopped">());
     Impact impact;
+    std::vector<bool> changes;
+    for (const FileImpact& one : files)
+        changes.push_back(question.figures ? std::ranges::any_of(one.rows, &ImpactRow::is_to_amend)
+                                           : one.is_using);
+    impact.followers = followers_of(files, changes, question.files);
     for (std::size_t i = 0; i < files.size(); ++i) {
         FileImpact& one = files[i];
         const std::string name = question.files[i].string();

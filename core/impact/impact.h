@@ -47,11 +47,22 @@ struct ImpactFailure {
     Message cause;
 };
 
+/// A file that has figures of a document whose results change, which somebody has to amend first: its own
+/// change is known when the new figures of that document are there.
+struct ImpactFollower {
+    std::string file;
+    std::string number;  ///< the certificate that it has figures of
+    std::string of;      ///< file of that document
+};
+
 struct Impact {
     std::vector<ImpactRow> rows;          ///< rows by falling change, those with another verdict first
     std::vector<ImpactFailure> failures;  ///< failures in the order of files
     std::vector<std::string> using_it;    ///< files that have figures of the certificate
-    std::size_t looked_at = 0;            ///< number of projects, and of reports that carry one
+    /// Those that have figures of a document to amend, or of such a one themselves; without new figures, of a
+    /// document that uses the certificate. In the order in which they follow.
+    std::vector<ImpactFollower> followers;
+    std::size_t looked_at = 0;  ///< number of projects, and of reports that carry one
     /// Files with a row to amend, each once.
     std::vector<std::string> to_amend() const;
 };

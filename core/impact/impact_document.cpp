@@ -140,6 +140,10 @@ std::string file_list(const std::vector<std::string>& files) {
     return list;
 }
 
+Message follower_words(const ImpactFollower& follower) {
+    return tell<"%1 has figures of %2 (%3)">(follower.file, follower.number, file_in_folder(follower.of));
+}
+
 Table impact_table(const Impact& impact) {
     return ImpactColumns(impact.rows).make();
 }
@@ -154,6 +158,10 @@ std::vector<Message> impact_sentences(const Impact& impact) {
                 impact.rows.size(), count(is_changed),
                 count([](const ImpactRow& r) { return r.is_to_amend(); }),
                 count([](const ImpactRow& r) { return r.verdict_changes(); })));
+    if (!impact.followers.empty())
+        sentences.push_back(
+            tell<"%1 more have figures of a document among these: they follow when it is amended.">(
+                impact.followers.size()));
     if (!impact.failures.empty())
         sentences.push_back(tell<"%1 could not be evaluated.">(impact.failures.size()));
     return sentences;
@@ -189,6 +197,12 @@ ReportDocument build_impact(const ImpactWords& words, const Impact& impact, cons
     if (const auto amend = impact.to_amend(); !amend.empty()) {
         blocks.push_back(HeadingBlock{1, in.say(tell<"Documents to amend">())});
         blocks.push_back(ListBlock{amend});
+    }
+    if (!impact.followers.empty()) {
+        blocks.push_back(HeadingBlock{1, in.say(tell<"Documents that follow">())});
+        ListBlock list;
+        for (const ImpactFollower& one : impact.followers) list.items.push_back(in.say(follower_words(one)));
+        blocks.push_back(std::move(list));
     }
     if (!impact.failures.empty()) {
         blocks.push_back(HeadingBlock{1, in.say(tell<"Not evaluated">())});

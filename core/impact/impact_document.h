@@ -14,6 +14,9 @@ namespace covaria {
 /// Name of a file with that of its folder, which tells equal names apart: "2025/customer-b.covaria".
 std::string file_in_folder(const std::string& path);
 
+/// "b.covaria has figures of 2026-7 (2026/a.covaria)".
+Message follower_words(const ImpactFollower& follower);
+
 /// The files as a text file has them, one on a line.
 std::string file_list(const std::vector<std::string>& files);
 

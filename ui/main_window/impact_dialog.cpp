@@ -37,11 +37,13 @@ QStringList sentences_of(const Impact& impact) {
     return said;
 }
 
-/// Fills the list, which is as high as it must be and hides when it is empty.
-void list_failures(QListWidget& list, const std::vector<ImpactFailure>& failures) {
+/// Fills the list with what could not be evaluated and what follows; it is as high as it must be and hides
+/// when it is empty.
+void list_files(QListWidget& list, const Impact& impact) {
     list.clear();
-    for (const ImpactFailure& failure : failures)
+    for (const ImpactFailure& failure : impact.failures)
         list.addItem(QStringLiteral("%1: %2").arg(to_qt(failure.file), to_qt(failure.cause)));
+    for (const ImpactFollower& follower : impact.followers) list.addItem(to_qt(follower_words(follower)));
     list.setVisible(list.count() > 0);
     const int lines = std::min(2 * list.count(), most_lines_of_failures);  // two for each
     list.setFixedHeight(lines * (list.fontMetrics().lineSpacing() + 4) + 8);
@@ -72,7 +74,7 @@ ImpactDialog::ImpactDialog(const Dialogs& dialogs, QWidget* parent)
         label->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     }
     failures_->setObjectName(QStringLiteral("impact_failures"));
-    failures_->setAccessibleName(tr("Not evaluated"));
+    failures_->setAccessibleName(tr("Not evaluated, and what follows"));
     failures_->setWordWrap(true);
     failures_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     auto* column = new QVBoxLayout(this);
@@ -227,7 +229,7 @@ void ImpactDialog::show_impact(std::shared_ptr<const Impact> impact, bool is_eva
                              : tr("Which results change when the figures of a certificate do?"));
     sentences_->setText(said.join(QLatin1Char(' ')));
     sentences_->setVisible(!said.isEmpty());
-    list_failures(*failures_, impact_ ? impact_->failures : std::vector<ImpactFailure>());
+    list_files(*failures_, impact_ ? *impact_ : Impact());
     for (QAction* action : of_results_) action->setEnabled(is_evaluated);
     refresh();
 }

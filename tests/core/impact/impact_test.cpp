@@ -11,6 +11,7 @@
 
 #include "core/base/file_io.h"
 #include "core/base/resource_path.h"
+#include "core/base/sha256.h"
 #include "core/impact/impact_document.h"
 #include "core/made/applicability.h"
 #include "core/project/project_file.h"
@@ -46,6 +47,10 @@ void set_standard(Project& project, const std::string& number, double length, do
     certificate.valid_until = "2027-01-10";
     certificate.quantities = {"l_S"};
     project.analyses.at(0).certificates = {certificate};
+}
+
+std::string test_digest(const std::string& file) {
+    return sha256_of(read_file(file).value());
 }
 
 struct InventedFolder {
@@ -237,6 +242,49 @@ TEST(Impact, ReachesTheAnalysesThatUseTheAsset) {
     ASSERT_TRUE(changed);
     EXPECT_EQ(changed->assets[1].certificates.at(0).number, "CMM 8");
     EXPECT_EQ(changed->assets[0], project.assets[0]);
+}
+
+TEST(Impact, NamesTheDocumentsThatFollowFromThoseThatChange) {
+    const fs::path folder = test::fresh_folder("followers");
+    const auto save = [&](const char* name, const std::string& own, const std::string& standard) {
+        Project project = gauge_block();
+        project.certificate.number = own;
+        set_standard(project, standard, 50.0003, 3e-5);
+        EXPECT_TRUE(save_project(project, folder / name));
+        return (folder / name).string();
+    };
+    const std::string first = save("a.covaria", "LAB-1", "NMI-1"),
+                      second = save("b.covaria", "LAB-2", "lab-1"),
+                      third = save("c.covaria", "LAB-3", "LAB-2"),
+                      by_file = save("d.covaria", "", test_digest(first)),
+                      other = save("e.covaria", "LAB-1b", "NMI-2"),
+                      circle = save("f.covaria", "NMI-1", "LAB-3");
+    ImpactQuestion question;
+    question.old_figures = "NMI-1";
+    question.files = files_below({folder.string()}).value();
+    const Impact used = impact_of(question).value();
+    EXPECT_EQ(used.using_it, std::vector{first});
+    const auto files = [](const Impact& impact) {
+        std::set<std::string> names;
+        for (const ImpactFollower& one : impact.followers) names.insert(one.file);
+        return names;
+    };
+    EXPECT_EQ(files(used), (std::set{second, third, by_file, circle}));
+    EXPECT_EQ(used.followers.size(), 4u) << "each once";
+    EXPECT_EQ(used.followers.front().of, first);
+    EXPECT_EQ(impact_sentences(used).at(1).english(),
+              "4 more have figures of a document among these: they follow when it is amended.");
+
+    Project now = gauge_block();
+    set_standard(now, "NMI-1b", 50.0003, 3e-5);
+    const fs::path file = test::fresh_folder("now") / "now.covaria";
+    ASSERT_TRUE(save_project(now, file));
+    question.figures = new_figures(file.string()).value();
+    EXPECT_TRUE(impact_of(question).value().followers.empty()) << "the figures are those of before";
+    set_standard(now, "NMI-1b", 50.0009, 3e-5);
+    ASSERT_TRUE(save_project(now, file));
+    question.figures = new_figures(file.string()).value();
+    EXPECT_EQ(files(impact_of(question).value()), (std::set{second, third, by_file, circle}));
 }
 
 }  // namespace
