@@ -105,6 +105,9 @@ private:
                 [this](const Json& a, const Json& b, const std::string& name) { values(a, b, name); });
         for (Json* one : {&then, &now})
             if (one->is_object()) one->erase("outputs");
+        // A report of an earlier version does not have these, and nothing of it differs for that.
+        for (const char* key : {"figures", "decisions"})
+            if (then.is_object() && now.is_object() && !then.contains(key)) now.erase(key);
         values(then, now, at);
     }
 

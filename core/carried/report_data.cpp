@@ -112,7 +112,7 @@ private:
     }
 
     void add_results() {
-        ResultListing listing{content_.failed, {}};
+        ResultListing listing{content_.failed, {}, &content_.made};
         std::vector<AttachedFile> budgets;
         for (const EvaluatedAnalysis& one : content_.analyses)
             for (const Table& table : result_tables(content_.made.project(), one)) {

@@ -107,6 +107,11 @@ void judge_range(const CertifiedRange& range, const std::vector<UsedValue>& valu
             tell<"its figures hold for %1 of %2, and nothing here is called so">(range.of, text_of(range)));
 }
 
+bool has_certificates(const Project& project) {
+    const auto has = [](const auto& entry) { return !entry.certificates.empty(); };
+    return std::ranges::any_of(project.assets, has) || std::ranges::any_of(project.analyses, has);
+}
+
 class UsedFigures {
 public:
     UsedFigures(const MadeProject& made, FiguresUsed& used) : made_(made), used_(used) {}
@@ -115,6 +120,7 @@ public:
         const Project& project = made_.project();
         const AnalysisEntry& entry = project.analyses[analysis];
         add_uses(entry, nullptr, entry.certificates, "/analyses/" + std::to_string(analysis));
+        if (has_certificates(project)) add_stated(entry);
         for (const std::size_t index : assets_of(made_.graph(), made_.graph().number_of_analysis(analysis))) {
             const AssetEntry& asset = project.assets[index];
             if (!has_figures(asset, made_.assets())) continue;
@@ -127,6 +133,27 @@ public:
     }
 
 private:
+    void add_stated(const AnalysisEntry& analysis) {
+        const SetupSchema* schema = schema_of(analysis);
+        const FieldSpec* field = schema ? schema->find(&FieldSpec::states_quantities) : nullptr;
+        const auto prepared = made_.analysis(analysis.id);
+        if (!field || !prepared) return;
+        const InputSet& inputs = prepared->inputs;
+        for (const InputQuantity& quantity : inputs.quantities) {
+            const bool is_of_table = quantity.source.starts_with("/" + field->key + "/");
+            const bool is_stated = std::ranges::any_of(quantity.shares, [&](const Share& share) {
+                const UncertaintyComponent& of = inputs.components[share.component];
+                return of.type == EvaluationType::type_b && of.distribution.standard_uncertainty() > 0.0;
+            });
+            if (!is_of_table || !is_stated) continue;
+            ++used_.stated;
+            if (!std::ranges::any_of(analysis.certificates, [&](const AssetCertificate& one) {
+                    return one.quantities.empty() || std::ranges::count(one.quantities, quantity.symbol) > 0;
+                }))
+                used_.assumed_quantities.push_back(quantity.symbol);
+        }
+    }
+
     static std::string name_of_asset(const AssetEntry& asset) {
         return asset.name.empty() ? asset.id : asset.name;
     }
@@ -151,11 +178,6 @@ private:
     FiguresUsed& used_;
     std::set<std::size_t> assets_;
 };
-
-bool has_certificates(const Project& project) {
-    const auto has = [](const auto& entry) { return !entry.certificates.empty(); };
-    return std::ranges::any_of(project.assets, has) || std::ranges::any_of(project.analyses, has);
-}
 
 }  // namespace
 

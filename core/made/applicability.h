@@ -47,6 +47,10 @@ struct FiguresUsed {
     std::vector<CertificateUse> certificates;
     std::vector<std::string> assumed;  ///< names of the assets whose figures come from no certificate
     std::size_t assets = 0;            ///< number of assets with figures that the analysis uses
+    /// Of a project that names certificates: number of quantities that the analyses state with an uncertainty
+    /// of Type B, and the symbols of those that no certificate covers.
+    std::size_t stated = 0;
+    std::vector<std::string> assumed_quantities = {};
 };
 /// The figures used by the analysis and by those that it takes something from, each at its own date of
 /// measurement.

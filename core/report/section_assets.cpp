@@ -2,6 +2,7 @@
 #include "core/made/applicability.h"
 #include "core/report/date_words.h"
 #include "core/report/report_parts.h"
+#include "core/text/symbol.h"
 
 namespace covaria::report_parts {
 namespace {
@@ -52,6 +53,15 @@ void add_certificates(Blocks& blocks, const ReportSource& source, const Evaluate
             in.say(tell<"Of %1 artefacts and instruments %2 have no certificate; their figures are assumed: "
                         "%3.">(used.assets, used.assumed.size(), short_list(used.assumed, 12))),
             true});
+    if (!used.assumed_quantities.empty()) {
+        std::vector<std::string> symbols;
+        for (const std::string& symbol : used.assumed_quantities)
+            symbols.push_back(symbol_to_unicode(symbol));
+        blocks.push_back(ParagraphBlock{
+            in.say(tell<"Of %1 quantities that are stated %2 have no certificate; they are assumed: %3.">(
+                used.stated, symbols.size(), short_list(symbols, 12))),
+            true});
+    }
 }
 
 }  // namespace

@@ -46,6 +46,7 @@ Result<void> write_result_files(const std::filesystem::path& folder, const MadeP
         });
     for (const Table& table : asset_tables(made.assets())) files.add("", table.id, table.id, to_csv(table));
     if (!files.written) return files.written;
+    listing.made = &made;
     return write_file_atomically(folder / "results.json", results_json(made.project(), analyses, listing));
 }
 

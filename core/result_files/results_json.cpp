@@ -4,6 +4,7 @@
 
 #include "core/base/printable.h"
 #include "core/base/version.h"
+#include "core/made/applicability.h"
 #include "core/project/project_file.h"
 #include "core/project/stated_requirements.h"
 #include "core/propagation/reverse_budget.h"
@@ -14,6 +15,7 @@
 #include "core/result_files/study_results_json.h"
 #include "core/text/cell.h"
 #include "core/text/numbers.h"
+#include "core/views/decisions.h"
 #include "core/views/result_columns.h"
 
 namespace covaria {
@@ -313,7 +315,41 @@ OrderedJson input_correlations_json(const InputSet& inputs) {
     return list;
 }
 
-OrderedJson analysis_json(const Project& project, const EvaluatedAnalysis& evaluated) {
+/// The certificates that a result rests on, each with its verdict, and the assets without one.
+OrderedJson figures_json(const FiguresUsed& used) {
+    OrderedJson json = OrderedJson::object();
+    for (const CertificateUse& use : used.certificates) {
+        const AssetCertificate& of = use.certificate;
+        OrderedJson one = {{"holder", use.holder}, {"analysis", use.analysis}};
+        if (!use.asset.empty()) one["asset"] = use.asset;
+        for (const auto& [key, text] :
+             {std::pair("number", of.number), std::pair("issuer", of.issuer), std::pair("digest", of.digest)})
+            if (!text.empty()) one[key] = text;
+        one["verdict"] = words_of(use.verdict.verdict).english();
+        for (const Message& reason : use.verdict.reasons) one["reasons"].push_back(reason.english());
+        json["certificates"].push_back(std::move(one));
+    }
+    if (!used.assumed.empty()) json["assumed"] = used.assumed;
+    if (!used.assumed_quantities.empty()) json["assumedQuantities"] = used.assumed_quantities;
+    return json;
+}
+
+const char* word_of(TestVerdict::Is is) {
+    return is == TestVerdict::Is::met ? "met" : is == TestVerdict::Is::not_met ? "not met" : "not decided";
+}
+
+OrderedJson decisions_json(const MeasurementModel& model) {
+    OrderedJson list = OrderedJson::array();
+    for (const DecidedRow& row : decisions_in(model.evaluation()))
+        list.push_back({{"subject", to_unicode(row.subject)},
+                        {"verdict", word_of(row.verdict.is)},
+                        {"words", row.verdict.words.english()},
+                        {"figures", to_unicode(row.figures)}});
+    return list;
+}
+
+OrderedJson analysis_json(const Project& project, const EvaluatedAnalysis& evaluated,
+                          const MadeProject* made) {
     const UncertaintyResult& result = *evaluated.result;
     OrderedJson outputs = OrderedJson::array();
     const Table results = results_table(result);
@@ -352,6 +388,12 @@ OrderedJson analysis_json(const Project& project, const EvaluatedAnalysis& evalu
     }
     for (const RequirementResult& r : judge(result, project, evaluated.analysis->id))
         json["requirements"].push_back(requirement_json(evaluated, r));
+    if (evaluated.analysis->model && evaluated.analysis->descriptor &&
+        evaluated.analysis->descriptor->decides)
+        json["decisions"] = decisions_json(*evaluated.analysis->model);
+    if (made && made->find_analysis(evaluated.analysis->id))
+        if (OrderedJson figures = figures_json(figures_used(*made, evaluated.analysis->id)); !figures.empty())
+            json["figures"] = std::move(figures);
     if (const auto readings =
             evaluated.analysis->model ? evaluated.analysis->model->redundant_readings() : nullptr)
         json["seen"] = seen_json(*readings, evidence::seen_of(*readings));
@@ -377,7 +419,8 @@ OrderedJson file_json(const ResultFile& file) {
 std::string results_json(const Project& project, const std::vector<EvaluatedAnalysis>& analyses,
                          const ResultListing& listing) {
     OrderedJson list = OrderedJson::array();
-    for (const EvaluatedAnalysis& evaluated : analyses) list.push_back(analysis_json(project, evaluated));
+    for (const EvaluatedAnalysis& evaluated : analyses)
+        list.push_back(analysis_json(project, evaluated, listing.made));
     OrderedJson document = {
         {"format", "covaria-results"},
         {"schemaVersion", 1},

@@ -17,6 +17,7 @@ struct ResultFile {
 struct ResultListing {
     std::vector<FailedAnalysis> failed = {};
     std::vector<ResultFile> files = {};
+    const MadeProject* made = nullptr;  ///< whose certificates are named with each result; null: none are
 };
 
 std::string results_json(const Project& project, const std::vector<EvaluatedAnalysis>& analyses,

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 #include "core/base/resource_path.h"
@@ -91,6 +92,25 @@ TEST(Applicability, CountsWhatIsAssumed) {
     ASSERT_EQ(now.certificates.size(), 1u);
     EXPECT_EQ(now.certificates[0].path, "/assets/0/certificates/0");
     EXPECT_EQ(figures_used(*MadeProject::make(project), "printed").assets, 0u);
+}
+
+TEST(Applicability, CountsStatedQuantitiesThatNoCertificateCovers) {
+    Project project = load_project(data_directory() / "projects/certificate-gauge-block.covaria").project;
+    const std::string id = project.analyses[0].id;
+    const auto used = [&] { return figures_used(*MadeProject::make(project), id); };
+    EXPECT_EQ(used().stated, 0u) << "nobody names certificates here";
+    AssetCertificate certificate;
+    certificate.number = "NMI 2025-3321";
+    certificate.quantities = {"l_S"};
+    project.analyses[0].certificates = {certificate};
+    // L is a constant; all others have an uncertainty of Type B
+    const FiguresUsed some = used();
+    EXPECT_EQ(some.stated, 9u);
+    EXPECT_EQ(some.assumed_quantities.size(), 8u);
+    EXPECT_EQ(std::ranges::count(some.assumed_quantities, "l_S"), 0);
+    EXPECT_EQ(std::ranges::count(some.assumed_quantities, "alpha"), 1);
+    project.analyses[0].certificates[0].quantities.clear();
+    EXPECT_TRUE(used().assumed_quantities.empty()) << "it covers all that is stated";
 }
 
 TEST(Applicability, TakesTheDateOfTheAnalysisOrOfTheCertificate) {
