@@ -20,13 +20,14 @@ struct ReportArguments {
     ReportFiles files;
     std::string output;  ///< one file instead
     std::string before;  ///< project to compare with
-    bool certificate = false, annex = false;
+    bool certificate = false, sheet = false, annex = false;
     std::vector<std::string> without = {};  ///< chapters
 };
 
 ReportFiles files_of(const ReportArguments& arguments) {
     ReportFiles files = arguments.files;
     if (arguments.certificate) files.name = "certificate";
+    if (arguments.sheet) files.name = "sheet";
     return files;
 }
 
@@ -41,6 +42,7 @@ ReportDocument document_of(const ReportArguments& arguments, const ReportSource&
     if (chosen) contents.without_analyses.clear();
     for (const std::string& key : arguments.without) choose(contents.without_chapters, key, false);
     contents.annex = contents.annex || arguments.annex;
+    if (arguments.sheet) return build_sheet(source.made, source.analyses, source.failed, contents, in);
     return build_report(source.made, source.analyses, source.failed, contents, in);
 }
 
@@ -114,6 +116,12 @@ Command report_command(CLI::App& app) {
                    "a calibration certificate of one to three pages instead of the report: the project's "
                    "section \"certificate\" and the results (of the analyses chosen by --analysis)")
         ->excludes(before);
+    command
+        ->add_flag("--sheet", arguments->sheet,
+                   "two pages for each analysis instead of the report: the decisions of its tests, or its "
+                   "results and budget, then what there is room for")
+        ->excludes(before)
+        ->excludes("--certificate");
     std::vector<std::string> chapters;
     for (const ReportChapterField& chapter : report_chapters()) chapters.push_back(chapter.key);
     command->add_option("--without", arguments->without, "a chapter to leave out (may be repeated)")
@@ -133,7 +141,10 @@ Command report_command(CLI::App& app) {
                     return exit_status_of(done.error());
                 }
                 std::printf(
-                    "the %s is in %s\n", arguments->certificate ? "certificate" : "report",
+                    "the %s is in %s\n",
+                    arguments->certificate ? "certificate"
+                    : arguments->sheet     ? "sheet"
+                                           : "report",
                     arguments->output.empty() ? arguments->files.folder.c_str() : arguments->output.c_str());
                 return int(exit_success);
             }};

@@ -41,11 +41,11 @@ Problems improbable_results(const ReportSource& source) {
         const auto output = farthest_from_95(result);
         if (!output) continue;
         const OutputResult& far = result.outputs[*output];
-        warnings.warning(
-            "", tell<"%1: under an accreditation U is stated for a coverage probability of "
-                     "about 95 % (ILAC-P14 5.3); with k = %2 that of %3 is %4">(
-                    evaluated.analysis->name, format_trimmed(*k, 4), result_words::output_label(far.quantity),
-                    probability_text(stated_probability(far, result), NumberLocale{})));
+        warnings.warning("", tell<"%1: under an accreditation U is stated for a coverage probability of "
+                                  "about 95 % (ILAC-P14 5.3); with k = %2 that of %3 is %4">(
+                                 evaluated.analysis->name, Message::number(format_trimmed(*k, 4)),
+                                 result_words::output_label(far.quantity),
+                                 probability_text(stated_probability(far, result), NumberLocale{})));
     }
     return warnings;
 }

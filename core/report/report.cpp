@@ -21,6 +21,7 @@ using namespace report_parts;
 /// pages.
 constexpr std::ptrdiff_t most_of_two_levels = 40;  // lines of the contents
 constexpr double room_of_contents = double(most_of_two_levels) + 3.0;
+constexpr double room_of_sheet = 1.85 * lines_of_page;  ///< of two pages, which are not filled to the end
 constexpr double room = 20.0 * lines_of_page - room_of_contents, room_before = 3.0 * lines_of_page;
 
 /// Puts "2.1", "Table 3." and "Figure 2." before headings and captions, in order of appearance.
@@ -35,9 +36,14 @@ struct Numbering {
         else if (block.level == 2)
             ++heading[1];
         if (block.level > 2) return;
-        const std::string number = std::to_string(heading[0]), part = std::to_string(heading[1]);
-        block.text = (block.level == 1 ? number : number + "." + part) + "\u2002" + block.text;
-        block.anchor = "section-" + (block.level == 1 ? number : number + "-" + part);
+        // A sheet of one analysis has no chapters above its sections.
+        const std::string chapter = std::to_string(heading[0]), part = std::to_string(heading[1]);
+        const std::vector<std::string> numbers = block.level == 1 ? std::vector{chapter}
+                                                 : heading[0] > 0 ? std::vector{chapter, part}
+                                                                  : std::vector{part};
+        block.text =
+            numbers.front() + (numbers.size() > 1 ? "." + numbers.back() : "") + "\u2002" + block.text;
+        block.anchor = "section-" + numbers.front() + (numbers.size() > 1 ? "-" + numbers.back() : "");
     }
     void operator()(TableBlock& block) {
         block.table.title = in.say(tell<"Table %1. %2">(++tables, block.table.title));
@@ -111,6 +117,29 @@ void add_contents(Blocks& blocks, const DocumentLanguage& in) {
                           ContentsBlock{count <= most_of_two_levels ? 2 : 1}});
 }
 
+ReportDocument empty_document(const Project& project, const Message& over, const DocumentLanguage& in) {
+    ReportDocument document;
+    document.title = project.title.empty() ? in.say(tell<"Uncertainty report">()) : project.title;
+    document.running_head = document.title;
+    document.over = in.say(over);
+    document.author = project.author;
+    document.language = in.code();
+    document.page_words = in.say(certificate_words::page);
+    document.numbers = in.numbers();
+    return document;
+}
+
+/// Digits as the project states them, numbers of headings and captions, names of figures.
+void finish(ReportDocument& document, const Project& project, const DocumentLanguage& in) {
+    for (ReportBlock& block : document.blocks)
+        if (auto* table = std::get_if<TableBlock>(&block))
+            table->view.digits = project.results.style.digits.value_or(table->view.digits);
+    Numbering numbering{in};
+    for (ReportBlock& block : document.blocks) std::visit(numbering, block);
+    FigureNaming naming;
+    for (ReportBlock& block : document.blocks) std::visit(naming, block);
+}
+
 }  // namespace
 
 ReportDocument build_report(const MadeProject& made, const std::vector<EvaluatedAnalysis>& all,
@@ -119,14 +148,7 @@ ReportDocument build_report(const MadeProject& made, const std::vector<Evaluated
     const std::vector<EvaluatedAnalysis> analyses = those_in(contents, all);
     const ReportSource source{made, analyses, failed, in};
     const Project& project = made.project();
-    ReportDocument document;
-    document.title = project.title.empty() ? in.say(tell<"Uncertainty report">()) : project.title;
-    document.running_head = document.title;
-    document.over = in.say(tell<"Report of an uncertainty evaluation">());
-    document.author = project.author;
-    document.language = in.code();
-    document.page_words = in.say(certificate_words::page);
-    document.numbers = in.numbers();
+    ReportDocument document = empty_document(project, tell<"Report of an uncertainty evaluation">(), in);
     Blocks before, after;
     add_title(before, source);
     if (contents.has(ReportChapter::models)) add_models(before, source);
@@ -142,13 +164,27 @@ ReportDocument build_report(const MadeProject& made, const std::vector<Evaluated
     if (!chapters.annex.empty()) blocks.push_back(HeadingBlock{1, in.say(tell<"Annex">())});
     std::move(chapters.annex.begin(), chapters.annex.end(), std::back_inserter(blocks));
     add_contents(blocks, in);
-    for (ReportBlock& block : document.blocks)
-        if (auto* table = std::get_if<TableBlock>(&block))
-            table->view.digits = project.results.style.digits.value_or(table->view.digits);
-    Numbering numbering{in};
-    for (ReportBlock& block : document.blocks) std::visit(numbering, block);
-    FigureNaming naming;
-    for (ReportBlock& block : document.blocks) std::visit(naming, block);
+    finish(document, project, in);
+    return document;
+}
+
+ReportDocument build_sheet(const MadeProject& made, const std::vector<EvaluatedAnalysis>& all,
+                           const std::vector<FailedAnalysis>& failed, const ReportContents& contents,
+                           const DocumentLanguage& in) {
+    const std::vector<EvaluatedAnalysis> analyses = those_in(contents, all);
+    const Project& project = made.project();
+    ReportDocument document = empty_document(project, tell<"Sheet of a measurement">(), in);
+    Blocks& blocks = document.blocks;
+    add_facts(blocks, {made, analyses, failed, in});
+    double lines = room_of_sheet - lines_of(blocks);
+    for (const EvaluatedAnalysis& one : analyses) {
+        if (analyses.size() > 1) blocks.push_back(HeadingBlock{1, one.analysis->name});
+        const std::vector<EvaluatedAnalysis> alone{one};
+        std::ranges::move(sheet_chapters({made, alone, failed, in}, contents, lines),
+                          std::back_inserter(blocks));
+        lines = room_of_sheet - 3.0;  // of its heading
+    }
+    finish(document, project, in);
     return document;
 }
 
@@ -169,6 +205,7 @@ ReportDocument build_document(DocumentKind kind, const MadeProject& made,
     const bool all = !chosen && contents.without_analyses.empty();
     if (chosen) contents.without_analyses.clear();
     if (kind == DocumentKind::report) return build_report(made, analyses, failed, contents, in);
+    if (kind == DocumentKind::sheet) return build_sheet(made, analyses, failed, contents, in);
     return build_certificate(made, those_in(contents, analyses), failed,
                              all ? CertifiedResults::that_fit : CertifiedResults::all, in);
 }

@@ -24,6 +24,10 @@ struct ReportSource {
 ReportDocument build_report(const MadeProject& project, const std::vector<EvaluatedAnalysis>& analyses,
                             const std::vector<FailedAnalysis>& failed, const ReportContents& contents,
                             const DocumentLanguage& in = {});
+/// The sheet, without the analyses and chapters that `contents` leave out.
+ReportDocument build_sheet(const MadeProject& project, const std::vector<EvaluatedAnalysis>& analyses,
+                           const std::vector<FailedAnalysis>& failed, const ReportContents& contents,
+                           const DocumentLanguage& in = {});
 /// The report with the contents that the project states.
 ReportDocument build_report(const MadeProject& project, const std::vector<EvaluatedAnalysis>& analyses,
                             const std::vector<FailedAnalysis>& failed = {}, const DocumentLanguage& in = {});
@@ -43,7 +47,9 @@ ReportDocument build_certificate(const MadeProject& project, const std::vector<E
 /// Ids of the analyses that report and certificate of a project are of, where none were chosen by hand.
 std::vector<std::string> reported_analyses(const Project& project);
 
-enum class DocumentKind { report, certificate };
+/// A sheet is a report of two pages for each analysis: of tests their decisions, of others the results and
+/// the budget, then what there is room for.
+enum class DocumentKind { report, certificate, sheet };
 /// The document, in that language, of those of the analyses that the project does not leave out; of all of
 /// them, where they were `chosen` by hand.
 ReportDocument build_document(DocumentKind kind, const MadeProject& project,

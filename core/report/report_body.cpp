@@ -78,6 +78,14 @@ int rank_of(const std::optional<ReportChapter>& chapter) {
     return static_cast<int>(std::find(order.begin(), order.end(), *chapter) - order.begin());
 }
 
+/// The chapters of a sheet, in its order: decisions come first; without any the results, and what they are
+/// made of.
+std::vector<std::optional<ReportChapter>> sheet_order(const EvaluatedAnalysis& evaluated) {
+    using enum ReportChapter;
+    if (evaluated.analysis->descriptor->decides) return {evaluation, scene, setup, std::nullopt};
+    return {std::nullopt, evaluation, budgets, scene, setup};
+}
+
 std::string title_of(const AnalysisChapter& chapter) {
     for (const ReportBlock& block : chapter.whole)
         if (const auto* heading = std::get_if<HeadingBlock>(&block)) return heading->text;
@@ -114,6 +122,18 @@ public:
         leave_out(lines);
     }
 
+    /// The chapters of a sheet.
+    Blocks sheet(double lines) {
+        Blocks blocks;
+        for (const std::optional<ReportChapter>& wanted : sheet_order(evaluated_)) {
+            const auto found = std::ranges::find(chapters_, wanted, &AnalysisChapter::chapter);
+            if (found == chapters_.end() || !shorten_to(*found, lines)) continue;
+            lines -= lines_of(found->shortened.body);
+            std::ranges::move(found->shortened.body, std::back_inserter(blocks));
+        }
+        return blocks;
+    }
+
     void add_body(Blocks& blocks) const {
         blocks.push_back(HeadingBlock{1, evaluated_.analysis->name});
         std::string left_out;
@@ -144,20 +164,31 @@ public:
 
 private:
     void shorten_all(const Extent& extent) {
+        for (AnalysisChapter& chapter : chapters_) shorten_one(chapter, extent);
+    }
+
+    void shorten_one(AnalysisChapter& chapter, const Extent& extent) {
         const Elsewhere elsewhere = contents_.annex ? Elsewhere::annex : Elsewhere::files;
         const std::vector<Name> groups = groups_in_full(*evaluated_.result);
         const Name group = groups.size() == 1 ? groups.front() : Name();
-        for (AnalysisChapter& chapter : chapters_) {
-            const bool other_budgets =
-                chapter.chapter == ReportChapter::budgets && extent.budget_rows != most_budget_rows;
-            Blocks blocks = chapter.whole;
-            if (other_budgets) {
-                blocks.clear();
-                add_budgets(blocks, evaluated_, in_, extent.budget_rows);
-            }
-            chapter.shortened = shorten(blocks, extent, group, elsewhere, in_);
-            if (other_budgets) chapter.shortened.rest = chapter.whole;
+        const bool other_budgets =
+            chapter.chapter == ReportChapter::budgets && extent.budget_rows != most_budget_rows;
+        Blocks blocks = chapter.whole;
+        if (other_budgets) {
+            blocks.clear();
+            add_budgets(blocks, evaluated_, in_, extent.budget_rows);
         }
+        chapter.shortened = shorten(blocks, extent, group, elsewhere, in_);
+        if (other_budgets) chapter.shortened.rest = chapter.whole;
+    }
+
+    /// Shortens the chapter until it fits; false: not even the shortest says something in so few lines.
+    bool shorten_to(AnalysisChapter& chapter, double lines) {
+        for (const Extent& extent : extents()) {
+            shorten_one(chapter, extent);
+            if (lines_of(chapter.shortened.body) <= lines) return !says_nothing(chapter.shortened.body);
+        }
+        return false;
     }
 
     /// Leaves chapters out: the results stay, and others in their rank while they fit.
@@ -182,17 +213,32 @@ private:
     const DocumentLanguage& in_;
 };
 
+/// The chapters that the contents do not leave out.
+Chapters chapters_in(const ReportSource& source, const EvaluatedAnalysis& evaluated,
+                     const ReportContents& contents, std::set<std::string>& shown_assets) {
+    Chapters chapters = chapters_of(source, evaluated, shown_assets);
+    std::erase_if(chapters, [&](const AnalysisChapter& one) {
+        return one.whole.empty() || (one.chapter && !contents.has(*one.chapter));
+    });
+    return chapters;
+}
+
 }  // namespace
+
+Blocks sheet_chapters(const ReportSource& source, const ReportContents& contents, double lines) {
+    std::set<std::string> shown_assets;
+    const EvaluatedAnalysis& evaluated = source.analyses.front();
+    return AnalysisBody(contents, evaluated, chapters_in(source, evaluated, contents, shown_assets),
+                        source.in)
+        .sheet(lines);
+}
 
 AnalysisChapters analysis_chapters(const ReportSource& source, const ReportContents& contents, double lines) {
     std::set<std::string> shown_assets;
     std::vector<AnalysisBody> bodies;
     std::vector<double> needs;
     for (const EvaluatedAnalysis& evaluated : source.analyses) {
-        Chapters chapters = chapters_of(source, evaluated, shown_assets);
-        std::erase_if(chapters, [&](const AnalysisChapter& one) {
-            return one.whole.empty() || (one.chapter && !contents.has(*one.chapter));
-        });
+        Chapters chapters = chapters_in(source, evaluated, contents, shown_assets);
         needs.push_back(whole_lines(chapters));
         bodies.emplace_back(contents, evaluated, std::move(chapters), source.in);
     }

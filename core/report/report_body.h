@@ -12,4 +12,8 @@ struct AnalysisChapters {
 };
 AnalysisChapters analysis_chapters(const ReportSource& source, const ReportContents& contents, double lines);
 
+/// The same on a sheet, without an annex: chapter by chapter, each as much of it as fits into what those
+/// before it leave of `lines`. `source` has one analysis.
+Blocks sheet_chapters(const ReportSource& source, const ReportContents& contents, double lines);
+
 }  // namespace covaria::report_parts

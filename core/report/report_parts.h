@@ -20,7 +20,10 @@ using Blocks = std::vector<ReportBlock>;
 
 // Each section has a function, which appends its headings and blocks. Headings and captions are numbered at
 // the end.
+/// Adds the title block: facts, notes, failures, and results at a glance.
 void add_title(Blocks& blocks, const ReportSource& source);
+/// The same without the results.
+void add_facts(Blocks& blocks, const ReportSource& source);
 void add_models(Blocks& blocks, const ReportSource& source);
 void add_setup(Blocks& blocks, const ReportSource& source, const EvaluatedAnalysis& evaluated);
 void add_inputs(Blocks& blocks, const ReportSource& source, const EvaluatedAnalysis& evaluated);

@@ -6,6 +6,7 @@
 #include "core/report/report_parts.h"
 #include "core/result/result_line.h"
 #include "core/text/numbers.h"
+#include "core/views/decisions.h"
 
 namespace covaria::report_parts {
 namespace {
@@ -46,6 +47,22 @@ Message requirements_met(const EvaluatedAnalysis& evaluated, const Project& proj
                                   : tell<"%1 of %2 not met">(verdicts.size() - met, verdicts.size());
 }
 
+/// The words on the decisions of a sheet of tests; empty where it decides nothing.
+Message decisions_met(const EvaluatedAnalysis& evaluated) {
+    if (!evaluated.analysis->descriptor->decides || !evaluated.analysis->model) return {};
+    const std::vector<DecidedRow> rows = decisions_in(evaluated.analysis->model->evaluation());
+    const auto count = [&](TestVerdict::Is is) {
+        return static_cast<std::size_t>(
+            std::ranges::count(rows, is, [](const DecidedRow& row) { return row.verdict.is; }));
+    };
+    if (rows.empty()) return {};
+    const std::size_t failed = count(TestVerdict::Is::not_met), open = count(TestVerdict::Is::open);
+    if (failed == 0 && open == 0) return tell<"all %1 met">(rows.size());
+    if (open == 0) return tell<"%1 of %2 not met">(failed, rows.size());
+    if (failed == 0) return tell<"%1 of %2 not decided">(open, rows.size());
+    return tell<"%1 of %2 not met, %3 not decided">(failed, rows.size(), open);
+}
+
 void add_glance(Blocks& blocks, const EvaluatedAnalysis& evaluated, const DocumentLanguage& in) {
     const UncertaintyResult& result = *evaluated.result;
     const std::string& name = evaluated.analysis->name;
@@ -66,6 +83,11 @@ void add_glance(Blocks& blocks, const EvaluatedAnalysis& evaluated, const Docume
 }  // namespace
 
 void add_title(Blocks& blocks, const ReportSource& source) {
+    add_facts(blocks, source);
+    for (const EvaluatedAnalysis& evaluated : source.analyses) add_glance(blocks, evaluated, source.in);
+}
+
+void add_facts(Blocks& blocks, const ReportSource& source) {
     const DocumentLanguage& in = source.in;
     FactsBlock facts;
     const Project& project = source.made.project();
@@ -83,6 +105,11 @@ void add_title(Blocks& blocks, const ReportSource& source) {
             add(source.analyses.size() == 1 ? tell<"Requirements">()
                                             : tell<"Requirements: %1">(evaluated.analysis->name),
                 in.say(met));
+    for (const EvaluatedAnalysis& evaluated : source.analyses)
+        if (const Message decided = decisions_met(evaluated); !decided.empty())
+            add(source.analyses.size() == 1 ? tell<"Decisions">()
+                                            : tell<"Decisions: %1">(evaluated.analysis->name),
+                in.say(decided));
     if (!source.analyses.empty())
         add(tell<"Evaluated with">(),
             "Covaria " + source.analyses.front().result->provenance.covaria_version);
@@ -99,7 +126,6 @@ void add_title(Blocks& blocks, const ReportSource& source) {
     add_paragraphs(blocks, source.made.project().notes);
     for (const FailedAnalysis& failed : source.failed)
         blocks.push_back(ParagraphBlock{in.say(not_evaluated(failed)), true});
-    for (const EvaluatedAnalysis& evaluated : source.analyses) add_glance(blocks, evaluated, in);
 }
 
 }  // namespace covaria::report_parts

@@ -257,5 +257,71 @@ TEST(Reports, OfTheExamplesHaveUpToTwentyPages) {
     EXPECT_GT(pages_of(whole), 4 * longest) << "the annex has the long tables";
 }
 
+TEST(Sheets, HaveTwoPagesForEachAnalysis) {
+    const fs::path folder = fresh_folder("sheets");
+    for (const auto& [name, analyses] :
+         {std::pair("tracker-test", 1u), std::pair("robot-performance", 1u), std::pair("distance-meter", 2u),
+          std::pair("theodolite", 1u), std::pair("force-transducer", 2u), std::pair("turned-part", 1u),
+          std::pair("gauge-block-history", 2u), std::pair("eye-on-hand", 2u), std::pair("robot-readings", 4u),
+          std::pair("tracker-network", 1u), std::pair("certificate-gauge-block", 1u)})
+        for (const char* language : {"en", "de"}) {
+            const fs::path pdf = folder / (std::string(name) + "-" + language + ".pdf");
+            const Outcome run =
+                run_program({"report", shipped_project(std::string(name) + ".covaria").string(), "--sheet",
+                             "--first-order", "--set", std::string("/certificate/language=") + language, "-o",
+                             pdf.string()});
+            ASSERT_EQ(run.status, 0) << run.err;
+            EXPECT_LE(pages_of(pdf), 2 * analyses) << pdf;
+        }
+}
+
+TEST(Sheets, BeginWithTheirDecisions) {
+    const fs::path file = fresh_folder("sheet-words") / "sheet.md";
+    const Outcome run = run_program({"report", shipped_project("tracker-test.covaria").string(), "--sheet",
+                                     "--first-order", "-o", file.string()});
+    ASSERT_EQ(run.status, 0) << run.err;
+    const std::string text = read_text(file);
+    const std::size_t decided = text.find("Decisions"), table = text.find("Decisions after ISO 14253-1"),
+                      setup = text.find("Set-up");
+    ASSERT_NE(table, std::string::npos) << text;
+    EXPECT_LT(decided, table);
+    EXPECT_LT(table, setup);
+    EXPECT_EQ(text.find("Uncertainty budgets"), std::string::npos);
+}
+
+TEST(Automation, ResultsNameTheirCertificatesAndDecisions) {
+    const auto results_of = [](const fs::path& file, const char* folder) {
+        const fs::path out = fresh_folder(folder);
+        const Outcome run = run_program({"run", file.string(), "--first-order", "--out", out.string()});
+        EXPECT_EQ(run.status, 0) << run.err;
+        return json::parse(read_text(out / "results.json"))["analyses"].at(0);
+    };
+    const json expired =
+        results_of(fs::path(COVARIA_SOURCE_DIR) / "docs/three-years/2025/customer-d.covaria", "expired");
+    const json& used = expired["figures"]["certificates"].at(0);
+    EXPECT_EQ(used["verdict"], "expired");
+    EXPECT_NE(std::string(used["reasons"].at(0)).find("2026-01-31"), std::string::npos) << used;
+    EXPECT_FALSE(expired.contains("decisions"));
+    const json sheet = results_of(shipped_project("tracker-test.covaria"), "decided");
+    ASSERT_EQ(sheet["decisions"].size(), 48u);
+    EXPECT_EQ(sheet["decisions"].at(0)["subject"], "Decisions after ISO 14253-1: T1, two-face");
+    EXPECT_EQ(sheet["decisions"].at(0)["verdict"], "met");
+    EXPECT_FALSE(sheet.contains("figures"));
+}
+
+TEST(Automation, DecisionsOfTestSheetsAreTestCases) {
+    const std::string file = shipped_project("tracker-test.covaria").string();
+    const Outcome met = run_program({"check", file, "--first-order"});
+    EXPECT_EQ(met.status, 0) << met.out << met.err;
+    EXPECT_NE(met.out.find("met     acceptance/Decisions after ISO 14253-1: T1, two-face\n"),
+              std::string::npos)
+        << met.out;
+    const Outcome failed = run_program(
+        {"check", file, "--first-order", "--set", "/analyses/acceptance/setup/length_constant=25"});
+    EXPECT_EQ(failed.status, 3) << failed.out << failed.err;
+    EXPECT_NE(failed.out.find("not decided; "), std::string::npos) << failed.out;
+    EXPECT_NE(failed.out.find("MPE = "), std::string::npos) << failed.out;
+}
+
 }  // namespace
 }  // namespace covaria::automation_test

@@ -57,6 +57,7 @@ ExportActions::ExportActions(Document& document, AnalysisRunner& runner, Dialogs
     : QObject(parent),
       pdf_action(new QAction(icon(QStringLiteral("export")), tr("Report as &PDF …"), this)),
       certificate_action(new QAction(icon(QStringLiteral("export")), tr("&Certificate as PDF …"), this)),
+      sheet_action(new QAction(icon(QStringLiteral("export")), tr("&Sheet as PDF …"), this)),
       document_action(new QAction(icon(QStringLiteral("export")), {}, this)),
       document_(document),
       runner_(runner),
@@ -64,10 +65,12 @@ ExportActions::ExportActions(Document& document, AnalysisRunner& runner, Dialogs
       jobs_(Execution::threads) {
     follow_view(DocumentKind::report);
     connect(document_action, &QAction::triggered, this, [this] {
-        (certificate_action->shortcut().isEmpty() ? pdf_action : certificate_action)->trigger();
+        for (QAction* action : {pdf_action, certificate_action, sheet_action})
+            if (!action->shortcut().isEmpty()) return action->trigger();
     });
     connect(pdf_action, &QAction::triggered, this, [this] { ask_report(ReportFormat::pdf); });
     connect(certificate_action, &QAction::triggered, this, &ExportActions::ask_certificate);
+    connect(sheet_action, &QAction::triggered, this, &ExportActions::ask_sheet);
     connect(&runner_, &AnalysisRunner::idle, this, [this] {
         if (!runner_.is_busy()) go_on();
     });
@@ -82,6 +85,7 @@ QMenu* ExportActions::make_menu(QWidget* parent) {
     menu->addAction(tr("Report as &Markdown …"), this, [this] { ask_report(ReportFormat::markdown); });
     menu->addSeparator();
     menu->addAction(certificate_action);
+    menu->addAction(sheet_action);
     menu->addSeparator();
     menu->addAction(tr("&Results and Tables (JSON, CSV) …"), this, &ExportActions::ask_tables);
     for (const Writer& writer : writer_registry())
@@ -91,8 +95,10 @@ QMenu* ExportActions::make_menu(QWidget* parent) {
 }
 
 void ExportActions::follow_view(DocumentKind kind) {
-    QAction* shown = kind == DocumentKind::certificate ? certificate_action : pdf_action;
-    for (QAction* action : {pdf_action, certificate_action}) action->setShortcut({});
+    QAction* shown = kind == DocumentKind::certificate ? certificate_action
+                     : kind == DocumentKind::sheet     ? sheet_action
+                                                       : pdf_action;
+    for (QAction* action : {pdf_action, certificate_action, sheet_action}) action->setShortcut({});
     shown->setShortcut(Qt::CTRL | Qt::Key_P);
     document_action->setText(shown->text());
     document_action->setToolTip(tip_with_shortcut(shown->text(), shown->shortcut()));
@@ -165,6 +171,17 @@ void ExportActions::ask_certificate() {
     export_certificate_to(ends ? file : file + QStringLiteral(".pdf"));
 }
 
+void ExportActions::ask_sheet() {
+    finish_typing();
+    if (!has_results_or_runs()) return;
+    const QString ending = QStringLiteral("-sheet.pdf");
+    const QString file =
+        dialogs_.file_to_save(tr("Export Sheet"), suggested(ending), filter_of(ReportFormat::pdf));
+    if (file.isEmpty()) return;
+    remember_folder_of(file);
+    export_sheet_to(file.endsWith(QStringLiteral(".pdf")) ? file : file + QStringLiteral(".pdf"));
+}
+
 void ExportActions::ask_tables() {
     finish_typing();
     if (!has_results_or_runs()) return;
@@ -205,6 +222,10 @@ void ExportActions::export_report_to(const QString& file, ReportFormat format) {
 
 void ExportActions::export_certificate_to(const QString& file) {
     when_finished([this, file] { write_document(DocumentKind::certificate, file, ReportFormat::pdf); });
+}
+
+void ExportActions::export_sheet_to(const QString& file) {
+    when_finished([this, file] { write_document(DocumentKind::sheet, file, ReportFormat::pdf); });
 }
 
 void ExportActions::export_results_to(const QString& folder) {

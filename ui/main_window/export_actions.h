@@ -26,6 +26,7 @@ public:
     QMenu* make_menu(QWidget* parent);
     QAction* pdf_action;
     QAction* certificate_action;
+    QAction* sheet_action;
     QAction* document_action;  ///< stands in the toolbar and exports the document in view
     /// The shortcut goes to the action that exports this document.
     void follow_view(DocumentKind kind);
@@ -33,12 +34,14 @@ public:
     void ask_report(ReportFormat format);
     /// Asks for a certificate, and says first what ISO/IEC 17025 requires and is missing.
     void ask_certificate();
+    void ask_sheet();
     void ask_tables();
     /// Asks for a file for other programs, by a writer of core/writers.
     void ask_for_others(const Writer& writer);
     void export_for_others(const Writer& writer, const QString& file);
     void export_report_to(const QString& file, ReportFormat format);
     void export_certificate_to(const QString& file);
+    void export_sheet_to(const QString& file);
     /// Writes results.json and the CSV tables into a folder.
     void export_results_to(const QString& folder);
     bool is_busy() const { return maker_.is_busy(); }

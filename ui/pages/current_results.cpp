@@ -58,7 +58,7 @@ ReportMaker::Source document_source(DocumentKind kind, const Project& project, c
     ReportMaker::Source source{kind, runner.made(), current_results(project, runner), {}};
     for (FailedAnalysis& failed : failed_results(project, runner))
         if (project.report.has_analysis(failed.id)) source.failed.push_back(std::move(failed));
-    if (kind == DocumentKind::report) return source;
+    if (kind != DocumentKind::certificate) return source;
     for (const AnalysisEntry& analysis : project.analyses) {
         const AnalysisStatus& status = runner.status(to_qt(analysis.id));
         if (project.report.has_analysis(analysis.id) && !status.is_current() &&

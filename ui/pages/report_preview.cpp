@@ -81,8 +81,13 @@ QLayout* ReportPreview::make_head() {
     kind_ = new QComboBox;
     kind_->setObjectName(QStringLiteral("document_kind"));
     kind_->setAccessibleName(tr("Document"));
-    kind_->setToolTip(tr("What is shown: the report, or the calibration certificate"));
-    kind_->addItems({tr("Report"), tr("Certificate")});
+    kind_->setToolTip(
+        tr("The document that is shown: the report, the calibration certificate, or a sheet of two "
+           "pages for each analysis"));
+    for (const auto& [kind, name] : {std::pair(DocumentKind::report, tr("Report")),
+                                     std::pair(DocumentKind::certificate, tr("Certificate")),
+                                     std::pair(DocumentKind::sheet, tr("Sheet"))})
+        kind_->addItem(name, static_cast<int>(kind));
     state_ = new ElidedLabel;
     state_->setObjectName(QStringLiteral("report_state"));
     auto* update = new QPushButton(tr("Update"));
@@ -112,11 +117,19 @@ void ReportPreview::say(const QString& words) {
 }
 
 DocumentKind ReportPreview::kind() const {
-    return kind_->currentIndex() == 0 ? DocumentKind::report : DocumentKind::certificate;
+    return static_cast<DocumentKind>(kind_->currentData().toInt());
 }
 
 QString ReportPreview::kind_words() const {
-    return kind() == DocumentKind::report ? tr("The report") : tr("The certificate");
+    switch (kind()) {
+        case DocumentKind::certificate:
+            return tr("The certificate");
+        case DocumentKind::sheet:
+            return tr("The sheet");
+        case DocumentKind::report:
+            break;
+    }
+    return tr("The report");
 }
 
 /// Saving under another name makes the project anew, and an edit may be undone: both leave it as it was.
@@ -195,7 +208,7 @@ QString ReportPreview::page_words() const {
     const auto& made = document_.maker().made();
     const auto missing =
         made ? certificate_gaps(*made, certified_ids(made->project())).size() : std::size_t{0};
-    if (kind() == DocumentKind::report || missing == 0) return pages;
+    if (kind() != DocumentKind::certificate || missing == 0) return pages;
     return missing == 1 ? tr("%1; one required text is not stated").arg(pages)
                         : tr("%1; %2 required texts are not stated").arg(pages).arg(missing);
 }
