@@ -109,6 +109,10 @@ std::string parameter_words(const ArmParameter& parameter, double u) {
 Result<ExportedRobot> exported_robot(const WriterSource& source) {
     auto found = RobotSearch(source).only();
     if (!found) return fail(found.error());
+    if (const std::size_t coupled = found->arm.first_coupled)
+        return fail(
+            ErrorCode::bad_input,
+            tell<"joint %1 is moved along by another, which files of this kind cannot state">(coupled));
     ExportedRobot robot{found->id, found->name, std::move(found->arm), {}, {}};
     robot.parameters.resize(robot.arm.joints.size());
     std::set<std::string> without;

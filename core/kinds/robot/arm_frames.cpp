@@ -26,9 +26,10 @@ struct AroundMovement {
 
 /// A joint whose reading counts the other way moves about the z-axis turned over: Z(-q) = Rx(pi) Z(q)
 /// Rx(-pi).
-AroundMovement around(const RobotJoint& joint, DhConvention convention) {
+AroundMovement around(const std::vector<RobotJoint>& joints, std::size_t i, DhConvention convention) {
+    const RobotJoint& joint = joints[i];
     const JointValues<double>& v = joint.values;
-    const double zero = joint.travel(0.0);
+    const double zero = travel_of(joints, i, std::vector<double>(joints.size(), 0.0));
     const Eigen::Isometry3d own = joint.slides ? along_z(v.theta, v.d + zero) : along_z(v.theta + zero, v.d);
     const Eigen::Isometry3d link = along_x(v.alpha, v.a);
     AroundMovement around{Eigen::Isometry3d::Identity(), own};
@@ -49,9 +50,10 @@ std::optional<ArmFrames> arm_frames(const Asset* asset) {
     if (!robot) return {};
     ArmFrames arm;
     arm.X_WB = robot->X_WB();
+    arm.first_coupled = first_coupled_joint(*robot);
     for (std::size_t i = 0; i < robot->joints().size(); ++i) {
         const RobotJoint& joint = robot->joints()[i];
-        const AroundMovement parts = around(joint, robot->convention());
+        const AroundMovement parts = around(robot->joints(), i, robot->convention());
         arm.joints.push_back({arm.X_JT * parts.before, joint.slides, joint.low, joint.high});
         arm.X_JT = parts.behind;
         for (const JointParameter p : joint_parameters)

@@ -32,6 +32,7 @@ struct ArmParameter {
 struct ArmFrames {
     Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();  ///< base in the world
     std::vector<ArmFrame> joints;
+    std::size_t first_coupled = 0;  ///< number from 1 of the first joint that another moves along; 0: none
     Eigen::Isometry3d X_JT = Eigen::Isometry3d::Identity();  ///< tool in the frame of the last joint
     std::vector<ArmParameter> parameters;
 };

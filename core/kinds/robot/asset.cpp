@@ -63,10 +63,34 @@ private:
         joint.low = figures[StatedJoint::low].value_or(joint.low);
         joint.high = figures[StatedJoint::high].value_or(joint.high);
         if (stated.against) joint.direction = -1.0;
+        read_coupling(joint, row);
         data_.u_encoder.push_back(figures[StatedJoint::u_encoder].value_or(0.0));
         data_.u_repeatability.push_back(figures[StatedJoint::u_repeatability].value_or(0.0));
         check_joint(joint, row);
         data_.joints.push_back(joint);
+    }
+
+    void read_coupling(RobotJoint& joint, std::size_t row) {
+        const StatedJoint& stated = stated_.joints[row];
+        const auto refuse = [&](auto member, Message why) {
+            problems_.error(place(&StatedRobot::joints, row, member), std::move(why));
+        };
+        if (!stated.moved_by) {
+            if (stated.share)
+                refuse(&StatedJoint::share, tell<"say which joint moves joint %1 along">(row + 1));
+            return;
+        }
+        const std::size_t other = *stated.moved_by - 1;
+        if (other >= stated_.joints.size())
+            return refuse(&StatedJoint::moved_by, tell<"the robot has no joint %1">(other + 1));
+        if (other == row)
+            return refuse(&StatedJoint::moved_by, tell<"joint %1 does not move itself along">(row + 1));
+        if (stated.slides || stated_.joints[other].slides)
+            return refuse(
+                &StatedJoint::moved_by,
+                tell<"joints %1 and %2: only joints that turn move each other along">(other + 1, row + 1));
+        joint.moved_by = other;
+        joint.share = stated.share.value_or(1.0);
     }
 
     void refuse_other(std::size_t row) {

@@ -81,6 +81,14 @@ Columns<StatedJoint> joint_columns() {
     columns.each(&StatedJoint::values, parameter_columns());
     add_turning(columns);
     add_sliding(columns);
+    columns.add(
+        &StatedJoint::moved_by, "moved_by", "moved by",
+        "Number of another joint whose travel moves this one along: where joint 3 turns by what joints "
+        "2 and 3 read, its 2. Empty: none.",
+        {.range = {.low = 1.0, .high = double(most_joints)}, .optional = true});
+    columns.add(&StatedJoint::share, "share", "share",
+                "By which part of that travel it is moved along, with its sign; empty: 1.",
+                {.optional = true});
     return columns;
 }
 

@@ -28,6 +28,8 @@ struct StatedJoint {
     Figures turning, sliding;  ///< of readings: angles of a joint that turns, lengths of one that slides
     bool against = false;      ///< the joint angle falls with the reading
     bool slides = false;
+    std::optional<std::size_t> moved_by;  ///< number from 1 of the joint that moves this one along
+    std::optional<double> share;
     Figures StatedJoint::*own() const { return slides ? &StatedJoint::sliding : &StatedJoint::turning; }
 };
 

@@ -73,14 +73,22 @@ private:
         const std::vector<Eigen::Isometry3d> frames = link_frames(robot_, q);
         const Eigen::Vector3d p = frames.back().translation();
         Eigen::MatrixXd J(target_.orientation ? 6 : 3, static_cast<Eigen::Index>(q.size()));
+        J.setZero();
+        const std::vector<RobotJoint>& joints = robot_.joints();
         for (std::size_t i = 0; i < q.size(); ++i) {
             const Eigen::Isometry3d& X = frames[robot_.convention() == DhConvention::craig ? i + 1 : i];
-            const bool slides = robot_.joints()[i].slides;
-            const Eigen::Vector3d z = robot_.joints()[i].direction * X.linear().col(2);
-            const auto column = static_cast<Eigen::Index>(i);
-            // A sliding joint moves by its share of the reach, so that all columns have the same size.
-            J.col(column).head<3>() = slides ? z : Eigen::Vector3d(z.cross(p - X.translation()) / reach_);
-            if (target_.orientation) J.col(column).tail<3>() = slides ? Eigen::Vector3d(0, 0, 0) : z;
+            const bool slides = joints[i].slides;
+            const auto add = [&](std::size_t reading, double by) {
+                const Eigen::Vector3d z = by * X.linear().col(2);
+                const auto column = static_cast<Eigen::Index>(reading);
+                // A sliding joint moves by its share of the reach, so that all columns have the same size.
+                J.col(column).head<3>() +=
+                    slides ? z : Eigen::Vector3d(z.cross(p - X.translation()) / reach_);
+                if (target_.orientation && !slides) J.col(column).tail<3>() += z;
+            };
+            add(i, joints[i].direction);
+            if (const std::size_t other = joints[i].moved_by; other != RobotJoint::alone)
+                add(other, joints[i].share * joints[other].direction);
         }
         return J;
     }

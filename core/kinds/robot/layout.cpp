@@ -36,7 +36,8 @@ private:
         const Eigen::Vector3d from = frames_[i].translation(), to = frames_[i + 1].translation();
         const bool craig = robot_.convention() == DhConvention::craig;
         const RobotJoint& joint = robot_.joints()[i];
-        const double a = joint.values.a, d = joint.values.d + (joint.slides ? joint.travel(q_[i]) : 0.0);
+        const double a = joint.values.a,
+                     d = joint.values.d + (joint.slides ? travel_of(robot_.joints(), i, q_) : 0.0);
         const Eigen::Vector3d corner = craig ? Eigen::Vector3d(from + a * frames_[i].linear().col(0))
                                              : Eigen::Vector3d(from + d * frames_[i].linear().col(2));
         add_segment("link " + std::to_string(i + 1), from, corner);

@@ -85,7 +85,8 @@ private:
     void prepare_turns(const robot::Pose& pose) {
         const auto& joints = setup_.robot().joints();
         for (std::size_t i = 0; i < joints.size(); ++i)
-            turns_.push_back(joints[i].slides ? Turn<double>() : Turn<double>(joints[i].travel(pose.q[i])));
+            turns_.push_back(joints[i].slides ? Turn<double>()
+                                              : Turn<double>(covaria::travel_of(joints, i, pose.q)));
     }
 
     template <class Real>
@@ -147,15 +148,17 @@ private:
     /// Travel of a joint from the zero reading to the reading of the pose.
     template <class Real>
     Real travel_of(std::size_t k, std::size_t i, const Inputs<Real>& x) const {
-        const RobotJoint& joint = setup_.robot().joints()[i];
-        const std::size_t input = setup_.poses[k].input[i];
-        if (input == no_input) return Real(joint.travel(setup_.poses[k].q[i]));
-        return Real(joint.direction) * (Real(x[input]) - Real(joint.zero));
+        const robot::Pose& pose = setup_.poses[k];
+        return covaria::travel_of<Real>(setup_.robot().joints(), i, [&](std::size_t joint) {
+            const std::size_t input = pose.input[joint];
+            return input == no_input ? Real(pose.q[joint]) : Real(x[input]);
+        });
     }
 
     template <class Real>
     Turn<Real> turn_of(std::size_t k, std::size_t i, const Inputs<Real>& x) const {
-        if (setup_.poses[k].input[i] != no_input) return Turn<Real>(travel_of<Real>(k, i, x));
+        if (is_uncertain(setup_.robot().joints(), setup_.poses[k].input, i))
+            return Turn<Real>(travel_of<Real>(k, i, x));
         const Turn<double>& turn = turns_[k * setup_.robot().joints().size() + i];
         return {Real(turn.c), Real(turn.s)};
     }

@@ -28,12 +28,18 @@ std::size_t first_sliding_joint(const SerialRobotSource& robot) {
     return 0;
 }
 
+std::size_t first_coupled_joint(const SerialRobotSource& robot) {
+    for (std::size_t i = 0; i < robot.joints().size(); ++i)
+        if (robot.joints()[i].moved_by != RobotJoint::alone) return i + 1;
+    return 0;
+}
+
 std::vector<Eigen::Isometry3d> link_frames(const SerialRobotSource& robot, const std::vector<double>& q) {
     std::vector<Eigen::Isometry3d> frames{Eigen::Isometry3d::Identity()};
     for (std::size_t i = 0; i < robot.joints().size(); ++i) {
         const RobotJoint& joint = robot.joints()[i];
         JointValues<double> values = joint.values;
-        (joint.slides ? values.d : values.theta) += joint.travel(q[i]);
+        (joint.slides ? values.d : values.theta) += travel_of(robot.joints(), i, q);
         const JointTransform<double> T = joint_transform(values, true);
         Matrix3<double> R = Matrix3<double>::Identity();
         Vector3<double> p = Vector3<double>::Zero();

@@ -31,14 +31,39 @@ struct RobotJoint {
     double direction = 1.0;
     double low = -std::numeric_limits<double>::infinity();  ///< limits of the reading q
     double high = std::numeric_limits<double>::infinity();
+    /// Another joint whose travel moves this one along, by that share: of many arms joint 3 turns by what
+    /// joints 2 and 3 read, since its motor stands on the foot.
+    std::size_t moved_by = alone;
+    double share = 1.0;
+    static constexpr std::size_t alone = static_cast<std::size_t>(-1);
 
     bool has(JointParameter p) const {
         return p == JointParameter::beta ? parallel : !(p == JointParameter::d && parallel);
     }
-    /// direction (q − zero): what the reading adds.
-    double travel(double q) const { return direction * (q - zero); }
     Unit reading_unit() const { return Unit::of(slides ? "mm" : "deg"); }
 };
+
+/// Travel of a joint: what the readings add to its theta or d. `q(k)`: reading of joint k.
+template <class Real, class Readings>
+Real travel_of(const std::vector<RobotJoint>& joints, std::size_t joint, const Readings& q) {
+    const auto own = [&](std::size_t k) {
+        return Real(Real(joints[k].direction) * (Real(q(k)) - Real(joints[k].zero)));
+    };
+    const RobotJoint& of = joints[joint];
+    return of.moved_by == RobotJoint::alone ? own(joint)
+                                            : Real(own(joint) + Real(of.share) * own(of.moved_by));
+}
+inline double travel_of(const std::vector<RobotJoint>& joints, std::size_t joint,
+                        const std::vector<double>& q) {
+    return travel_of<double>(joints, joint, [&](std::size_t k) { return q[k]; });
+}
+
+/// Whether a reading that moves the joint is an input quantity; `inputs`: by joint, npos where it is exact.
+template <class Inputs>
+bool is_uncertain(const std::vector<RobotJoint>& joints, const Inputs& inputs, std::size_t joint) {
+    const std::size_t other = joints[joint].moved_by;
+    return inputs[joint] != InputSet::npos || (other != RobotJoint::alone && inputs[other] != InputSet::npos);
+}
 
 /// A component of the uncertainty of one parameter.
 struct ParameterDeviation {
@@ -78,6 +103,8 @@ std::string reading_symbol(const SerialRobotSource& robot, std::size_t joint);
 
 /// Number from 1 of the first joint that slides; 0: all turn.
 std::size_t first_sliding_joint(const SerialRobotSource& robot);
+/// Number from 1 of the first joint that another moves along; 0: none.
+std::size_t first_coupled_joint(const SerialRobotSource& robot);
 
 /// Frames 0 ... n of the arm in the base frame at the readings q, then the tool.
 std::vector<Eigen::Isometry3d> link_frames(const SerialRobotSource& robot, const std::vector<double>& q);

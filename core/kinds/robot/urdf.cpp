@@ -171,8 +171,9 @@ std::string notes_of(const Chain& chain, const Axes& axes) {
 Message limits_of(const urdf::Joint& joint) {
     if (!joint.limited) return tell<"without limits">();
     const Unit unit = Unit::of(joint.slides() ? "mm" : "deg");
-    return tell<"%1 to %2 %3">(format_short(unit.from_si(joint.low), 6),
-                               format_short(unit.from_si(joint.high), 6), joint.slides() ? "mm" : "deg");
+    return tell<"%1 to %2 %3">(Message::number(format_short(unit.from_si(joint.low), 6)),
+                               Message::number(format_short(unit.from_si(joint.high), 6)),
+                               joint.slides() ? "mm" : "deg");
 }
 
 /// The numbers in parentheses.

@@ -41,7 +41,8 @@ struct MeasuredPose {
     std::string source = {};
     bool check = false;  ///< held back from the fit
     std::vector<double> q = {};
-    std::vector<Turn<double>> turns = {};  ///< turn of each joint from its zero reading
+    std::vector<Turn<double>> turns =
+        {};  ///< turn of each joint from its zero reading; none of one that slides
     Eigen::Vector3d p = Eigen::Vector3d::Zero();
     Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
     std::size_t first_input = 0;                        ///< x, y, z, then rotations about the tool's axes
@@ -58,7 +59,7 @@ struct PoseStatistics : identification::FitStatistics {
 struct StatedPose {
     std::string name;
     bool check = false;
-    StatedReadings q;
+    StatedReadings q, s;
     Eigen::Vector3d p = Eigen::Vector3d::Zero();
     std::array<std::optional<double>, 3> angles;  ///< alpha, beta, gamma
 };
@@ -164,12 +165,17 @@ void residuals(const Calibration& c, const MeasuredPose& pose, const CalibratedA
     Matrix3<Real> R = arm.R_FT;
     for (std::size_t j = robot.joints().size(); j-- > 0;) {
         JointTransform<Real> joint = arm.T[j];
-        Turn<Real> turn(Real(pose.turns[j].c), Real(pose.turns[j].s));
-        if (pose.reading[j] != no_input) {
-            const RobotJoint& given = robot.joints()[j];
-            turn = Turn<Real>(Real(Real(given.direction) * (Real(x[pose.reading[j]]) - Real(given.zero))));
-        }
-        joint.theta = joint.theta * turn;
+        const auto travel = [&] {
+            return travel_of<Real>(robot.joints(), j, [&](std::size_t k) {
+                return pose.reading[k] == no_input ? Real(pose.q[k]) : Real(x[pose.reading[k]]);
+            });
+        };
+        if (robot.joints()[j].slides)
+            joint.d = joint.d + travel();
+        else if (is_uncertain(robot.joints(), pose.reading, j))
+            joint.theta = joint.theta * Turn<Real>(travel());
+        else
+            joint.theta = joint.theta * Turn<Real>(Real(pose.turns[j].c), Real(pose.turns[j].s));
         apply(robot.convention(), joint, p);
         if (c.with_orientation) apply_to_axes(robot.convention(), joint, R);
     }

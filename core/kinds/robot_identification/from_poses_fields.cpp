@@ -24,7 +24,8 @@ Columns<StatedPose> pose_columns() {
                                            "Measured orientation, R = Rz(gamma) Ry(beta) Rx(alpha), where "
                                            "poses "
                                            "are measured.",
-                                           {.unit = deg, .optional = true}));
+                                           {.unit = deg, .optional = true}))
+        .each(&StatedPose::s, reading_columns("s", mm, ", if it slides."));
 }
 
 void add_robot(Fields<Stated>& fields) {

@@ -19,12 +19,6 @@ public:
     Reading(StatedCalibration stated, Problems& problems) : problems_(problems), c_(std::move(stated)) {}
 
     std::optional<Calibration> read() {
-        if (const std::size_t sliding = first_sliding_joint(c_.robot()); sliding > 0) {
-            problems_.error(fields().place(&Calibration::nominal),
-                            tell<"joint %1 slides: only arms whose joints turn are identified; take an arm "
-                                 "without it, as it stands during the measurement">(sliding));
-            return {};
-        }
         c_.X_MB = c_.robot().X_WB();
         c_.X_FT = c_.ball;
         if (c_.simulated)
@@ -60,7 +54,8 @@ private:
     void add_pose(MeasuredPose pose) {
         const auto& joints = c_.robot().joints();
         for (std::size_t j = 0; j < joints.size(); ++j)
-            pose.turns.push_back(Turn<double>(joints[j].travel(pose.q[j])));
+            pose.turns.push_back(joints[j].slides ? Turn<double>()
+                                                  : Turn<double>(travel_of(joints, j, pose.q)));
         pose.reading.fill(no_input);
         c_.poses.push_back(std::move(pose));
     }
@@ -69,12 +64,18 @@ private:
     /// of more poses are those of fewer.
     void simulate() {
         const auto& joints = c_.robot().joints();
-        const double range = c_.half_range;
+        for (std::size_t j = 0; j < joints.size(); ++j)
+            if (joints[j].slides && !(std::isfinite(joints[j].low) && std::isfinite(joints[j].high)))
+                return problems_.error(
+                    fields().place(&Calibration::nominal),
+                    tell<"joint %1 slides: without its limits there is no range over which "
+                         "poses could be simulated">(j + 1));
         double g = 2.0;  // root of g^(n+1) = g + 1
         for (int k = 0; k < 40; ++k) g = std::pow(1.0 + g, 1.0 / static_cast<double>(joints.size() + 1));
         for (int k = 0; k < c_.pose_count; ++k) {
             MeasuredPose pose{.name = "P" + std::to_string(k + 1)};
             for (std::size_t j = 0; j < joints.size(); ++j) {
+                const double range = joints[j].slides ? infinity : c_.half_range;
                 const double low = std::max(joints[j].low, joints[j].zero - range);
                 const double high = std::min(joints[j].high, joints[j].zero + range);
                 const double share = std::fmod(0.5 + (k + 1) * std::pow(g, -static_cast<double>(j + 1)), 1.0);
@@ -95,17 +96,27 @@ private:
                           .check = stated.check};
         if (!names_.insert(pose.name).second)
             problems_.error(pose.source, tell<"two poses are called %1">(pose.name));
+        for (std::size_t j = 0; j < std::min(joints.size(), most_joints); ++j)
+            pose.q.push_back((joints[j].slides ? stated.s : stated.q)[j].value_or(joints[j].zero));
         for (std::size_t j = 0; j < most_joints; ++j)
-            if (j < joints.size())
-                pose.q.push_back(stated.q[j].value_or(joints[j].zero));
-            else if (stated.q[j])
-                problems_.error(
-                    fields().place(&Calibration::measured, row, &StatedPose::q, j),
-                    tell<"the robot has only %1 joints; leave %2 empty">(
-                        joints.size(), fields().columns(&Calibration::measured).key(&StatedPose::q, j)));
+            for (const auto readings : {&StatedPose::q, &StatedPose::s})
+                if ((stated.*readings)[j]) refuse_unused(row, readings, j);
         pose.p = stated.p;
         if (c_.with_orientation) read_orientation(stated.angles, pose);
         add_pose(std::move(pose));
+    }
+
+    void refuse_unused(std::size_t row, StatedReadings StatedPose::*readings, std::size_t j) {
+        const auto& joints = c_.robot().joints();
+        const std::string place = fields().place(&Calibration::measured, row, readings, j);
+        if (j >= joints.size())
+            return problems_.error(
+                place, tell<"the robot has only %1 joints; leave %2 empty">(
+                           joints.size(), fields().columns(&Calibration::measured).key(readings, j)));
+        if (joints[j].slides == (readings == &StatedPose::s)) return;
+        const std::string symbol = reading_symbol(c_.robot(), j);
+        problems_.error(place, joints[j].slides ? tell<"joint %1 slides: its reading is %2">(j + 1, symbol)
+                                                : tell<"joint %1 turns: its reading is %2">(j + 1, symbol));
     }
 
     void read_orientation(const std::array<std::optional<double>, 3>& angles, MeasuredPose& pose) {
@@ -158,10 +169,10 @@ private:
         for (std::size_t j = 0; j < pose.q.size(); ++j) {
             std::vector<UncertaintyComponent> components = c_.robot().reading(j);
             if (components.empty()) continue;
-            const std::string symbol = "q_" + std::to_string(j + 1) + "," + std::to_string(k + 1);
+            const std::string symbol = reading_symbol(c_.robot(), j) + "," + std::to_string(k + 1);
             InputQuantity quantity{.symbol = symbol,
                                    .name = tell<"pose %1, reading of joint %2">(pose.name, j + 1),
-                                   .unit = Unit::of("deg"),
+                                   .unit = c_.robot().joints()[j].reading_unit(),
                                    .offset = pose.q[j],
                                    .group = "pose " + pose.name,
                                    .source = pose.source};

@@ -284,16 +284,16 @@ Vector3<Real> place_of(const Identification& id, const Scene<Real>& scene, const
     Vector3<Real> p = scene.targets[target];
     for (std::size_t j = robot.joints().size(); j-- > 0;) {
         JointTransform<Real> joint = scene.T[j];
-        const RobotJoint& given = robot.joints()[j];
-        const bool uncertain = pose.reading[j] != nothing;
-        if (given.slides) {
-            joint.d += uncertain ? Real(Real(given.direction) * (Real(x[pose.reading[j]]) - Real(given.zero)))
-                                 : Real(given.travel(pose.q[j]));
+        const auto travel = [&] {
+            return travel_of<Real>(robot.joints(), j, [&](std::size_t k) {
+                return pose.reading[k] == nothing ? Real(pose.q[k]) : Real(x[pose.reading[k]]);
+            });
+        };
+        if (robot.joints()[j].slides) {
+            joint.d += travel();
         } else {
             Turn<Real> turn(Real(pose.turns[j].c), Real(pose.turns[j].s));
-            if (uncertain)
-                turn =
-                    Turn<Real>(Real(Real(given.direction) * (Real(x[pose.reading[j]]) - Real(given.zero))));
+            if (is_uncertain(robot.joints(), pose.reading, j)) turn = Turn<Real>(travel());
             joint.theta = joint.theta * turn;
             if (id.compliant && pose.torque[j] != 0.0)
                 joint.theta = joint.theta * Turn<Real>(Real(scene.compliance[j] * Real(pose.torque[j])));

@@ -151,10 +151,11 @@ private:
             refuse_missing(id_, row, problems_);
             for (std::size_t j = 0; j < std::min(joints.size(), most_joints); ++j) {
                 pose.q.push_back((joints[j].slides ? stated.s : stated.q)[j].value_or(joints[j].zero));
-                pose.turns.push_back(joints[j].slides ? Turn<double>()
-                                                      : Turn<double>(joints[j].travel(pose.q[j])));
                 pose.torque[j] = stated.torque[j].value_or(0.0);
             }
+            for (std::size_t j = 0; j < pose.q.size(); ++j)
+                pose.turns.push_back(joints[j].slides ? Turn<double>()
+                                                      : Turn<double>(travel_of(joints, j, pose.q)));
             for (std::size_t j = 0; j < most_joints; ++j)
                 for (const auto readings : {&StatedPose::q, &StatedPose::s, &StatedPose::torque})
                     if ((stated.*readings)[j]) refuse_unused(id_, row, readings, j, problems_);

@@ -194,6 +194,11 @@ private:
                                           "it stands during the measurement">(sliding));
         if (id_.robot().joints().size() < 2)
             problems_.error(nominal, tell<"an arm of one joint has no parameters between two axes">());
+        if (const std::size_t coupled = first_coupled_joint(id_.robot()))
+            problems_.error(
+                nominal,
+                tell<"joint %1 is moved along by another, so that a joint that turns alone does "
+                     "not lead a point round its axis: identify it from poses or readings">(coupled));
     }
 
     void simulate() {

@@ -135,15 +135,63 @@ TEST(SlidingJoints, LimitsAndWrongColumnsAreSaid) {
     EXPECT_TRUE(Made(text).complains("joint 3 slides: state its readings as lengths"));
 }
 
-TEST(SlidingJoints, IdentificationRefusesThem) {
-    for (const char* model : {"robot-circle-points", "robot-calibration"}) {
-        std::string text = project_with("");
-        const std::string setup = R"("setup": {"robot": "gantry"}})";
-        const std::size_t at = text.find("\"model\": \"robot-pose\"");
-        text.replace(at, 21, std::string("\"model\": \"") + model + "\"");
-        text.replace(text.find(setup), setup.size(), R"("setup": {"nominal": "gantry"}})");
-        EXPECT_TRUE(Made(text).complains("slides")) << model;
+/// An identification whose nominal robot is the gantry.
+std::string identification(const std::string& model, const std::string& setup = "") {
+    std::string text = project_with("");
+    const std::string before = R"("setup": {"robot": "gantry"}})";
+    text.replace(text.find("\"model\": \"robot-pose\""), 21, "\"model\": \"" + model + "\"");
+    text.replace(text.find(before), before.size(), R"("setup": {"nominal": "gantry")" + setup + "}}");
+    return text;
+}
+
+TEST(SlidingJoints, DrawNoCircles) {
+    EXPECT_TRUE(Made(identification("robot-circle-points")).complains("slides and draws no circle"));
+}
+
+TEST(SlidingJoints, HaveARangeForSimulatedPosesByTheirLimits) {
+    EXPECT_TRUE(Made(identification("robot-calibration"))
+                    .complains("joint 2 slides: without its limits there is no range"));
+}
+
+// The arm that was built: an axis out of square, a tool that is longer, a scale that begins elsewhere.
+TEST(SlidingJoints, AreIdentifiedFromMeasuredPoses) {
+    std::string built = project_with("");
+    built.replace(built.find("[90, 0, 0, 90, \"sliding\", 0, -500"), 33,
+                  "[90, 0.8, 0, 90.3, \"sliding\", 0, -500");
+    built.replace(built.find("[0, 0, 100, 0, null"), 19, "[0, 0, 101.5, 0, null");
+    const Made arm(built);
+    std::string rows;
+    for (int k = 0; k < 24; ++k) {
+        const double s[] = {2000 * std::fmod(.37 * k, 1.0), 800 * std::fmod(.59 * k, 1.0) - 300,
+                            700 * std::fmod(.83 * k, 1.0) + 50, 300 * std::fmod(.71 * k, 1.0) - 150};
+        const Eigen::Vector3d p = 1e3 * link_frames(arm.robot(), {1e-3 * s[0], 1e-3 * s[1], 1e-3 * s[2],
+                                                                  s[3] * std::acos(-1.0) / 180})
+                                            .back()
+                                            .translation();
+        char row[300];
+        std::snprintf(row, sizeof row, R"(%s["P%d", "%s", %.17g, %.17g, %.17g, %.17g, %.17g, %.17g, %.17g])",
+                      k == 0 ? "" : ", ", k, k < 20 ? "fit" : "check", s[3], p.x(), p.y(), p.z(), s[0], s[1],
+                      s[2]);
+        rows += row;
     }
+    const Made made(identification("robot-calibration", R"(, "data": "measured", "poses": {"columns": ["name",
+        "use", "q_4 [deg]", "x [mm]", "y [mm]", "z [mm]", "s_1 [mm]", "s_2 [mm]", "s_3 [mm]"], "rows": [)" +
+                                                            rows + "]}"));
+    ASSERT_TRUE(made.analysis) << (made.problems.empty() ? "" : made.problems.items()[0].message.english());
+    const UncertaintyResult result = evaluate_first_order(*made.analysis->propagated, {}).value();
+    std::size_t deviations = 0;
+    for (const OutputResult& out : result.outputs) {
+        if (out.quantity.name.english().find("calculated less measured") == std::string::npos) continue;
+        ++deviations;
+        EXPECT_NEAR(out.first_order.estimate, 0.0, 1e-9) << out.quantity.symbol;
+        EXPECT_GT(out.first_order.standard_uncertainty, 1e-5);
+    }
+    EXPECT_EQ(deviations, 12u) << "three coordinates of four check poses";
+    EXPECT_EQ(made.analysis->inputs.quantities[made.analysis->inputs.find("s_2,3")].unit.text(), "mm");
+    EXPECT_TRUE(
+        Made(identification("robot-calibration", R"(, "data": "measured", "poses": {"columns": ["name",
+        "q_1 [deg]", "x [mm]", "y [mm]", "z [mm]"], "rows": [["P", 3, 0, 0, 0]]})"))
+            .complains("joint 1 slides: its reading is s_1"));
 }
 
 }  // namespace
