@@ -59,6 +59,8 @@ struct LayoutLink {
     Eigen::Vector3d from_W = Eigen::Vector3d::Zero();
     Eigen::Vector3d to_W = Eigen::Vector3d::Zero();
     Name group = {};
+    /// Whether a reading along the sight contradicts the others.
+    bool is_doubtful = false;
 };
 
 enum class BodyKind { plate, artefact, instrument, force_sensor };

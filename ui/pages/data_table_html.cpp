@@ -3,6 +3,7 @@
 #include <QObject>
 
 #include "core/text/cell.h"
+#include "core/text/row_links.h"
 #include "ui/theme/document_language.h"
 #include "ui/theme/strings.h"
 
@@ -21,21 +22,51 @@ QString shown(const Text& text) {
     return to_qt(to_html(text)).replace(QChar(0x202f), QChar(QChar::Nbsp));
 }
 
+/// The text of a hidden column of a row; empty where there is none.
+QString hidden_text(const Table& table, const char* key, std::size_t row) {
+    const Column* column = table.find(key);
+    return column ? to_qt(english_of(column->cell(row))) : QString();
+}
+
+/// The row's name, which leads to the reading that the row is about.
+QString link_to_place(const Table& table, std::size_t row, const QString& text) {
+    const QString place = hidden_text(table, place_column, row);
+    return place.isEmpty() ? text
+                           : QStringLiteral("<a href=\"place:%1\" style=\"text-decoration: none\">%2</a>")
+                                 .arg(place.toHtmlEscaped(), text);
+}
+
+/// What may be chosen of the row's reading, as a link.
+QString offer(const Table& table, std::size_t row, const TableView& view) {
+    const QString cell = hidden_text(table, cell_column, row),
+                  choice = hidden_text(table, choice_column, row);
+    if (cell.isEmpty() || choice.isEmpty()) return {};
+    const Text words = written(table, table[choice_words_column], row, view);
+    return element("td", false,
+                   QStringLiteral("<a href=\"choose:%1?%2\">%3</a>")
+                       .arg(cell.toHtmlEscaped(), choice.toHtmlEscaped(), shown(words)));
+}
+
 QString html_of(const Table& made) {
     const TableView view{{}, 2, language_of_window()};
     const Table table = evaluation_table(made, view.language);
     std::vector<bool> is_numeric;
     QString html = QStringLiteral("<h4>%1</h4><table cellpadding=\"3\" cellspacing=\"0\"><tr>")
                        .arg(to_qt(table.title).toHtmlEscaped());
-    for (const Column& column : table.columns) {
+    const std::size_t shown_columns = table.shown_columns();
+    for (std::size_t i = 0; i < shown_columns; ++i) {
+        const Column& column = table.columns[i];
         is_numeric.push_back(has_only_numbers(table, column));
         html += element("th", is_numeric.back(), shown(head_written(column, view)));
     }
     html += QStringLiteral("</tr>");
     for (std::size_t r = 0; r < std::min(table.rows, most_rows); ++r) {
         html += QStringLiteral("<tr>");
-        for (std::size_t i = 0; i < table.columns.size(); ++i)
-            html += element("td", is_numeric[i], shown(written(table, table.columns[i], r, view)));
+        for (std::size_t i = 0; i < shown_columns; ++i) {
+            const QString text = shown(written(table, table.columns[i], r, view));
+            html += element("td", is_numeric[i], i == 0 ? link_to_place(table, r, text) : text);
+        }
+        html += offer(table, r, view);
         html += QStringLiteral("</tr>");
     }
     html += QStringLiteral("</table>");

@@ -1,13 +1,20 @@
 #include "ui/pages/evaluation_tab.h"
 
+#include <QTextBrowser>
+#include <QUrl>
+
+#include "core/project/remedies.h"
+#include "ui/document/setup_address.h"
 #include "ui/pages/data_table_html.h"
 #include "ui/theme/core_text.h"
 #include "ui/theme/strings.h"
 
 namespace covaria::ui {
 
-EvaluationTab::EvaluationTab(AnalysisRunner& runner, Selection& selection, QWidget* parent)
+EvaluationTab::EvaluationTab(Document& document, AnalysisRunner& runner, Selection& selection,
+                             QWidget* parent)
     : EvaluationView(Qt::Horizontal, parent),
+      document_(document),
       runner_(runner),
       selection_(selection),
       job_(Execution::threads) {
@@ -18,6 +25,19 @@ EvaluationTab::EvaluationTab(AnalysisRunner& runner, Selection& selection, QWidg
     connect(&runner_, &AnalysisRunner::state_changed, this, take);
     connect(&runner_, &AnalysisRunner::result_changed, this, take);
     connect(&selection_, &Selection::analysis_changed, this, &EvaluationTab::refresh);
+    connect(&text(), &QTextBrowser::anchorClicked, this, &EvaluationTab::follow);
+}
+
+void EvaluationTab::follow(const QUrl& link) {
+    const SetupAddress entry{SetupOwner::analysis, to_std(selection_.analysis())};
+    const QString place = to_qt(setup_path(document_.project(), entry)) + link.path();
+    if (link.scheme() == QLatin1String("place")) emit place_wanted(place);
+    if (link.scheme() != QLatin1String("choose")) return;
+    const auto changed =
+        mended(document_.project(), {{}, {{to_std(place), to_std(link.query(QUrl::FullyDecoded))}}});
+    if (changed)
+        document_.apply(tr("Change of a reading where its residual stands"),
+                        [&](Project& project) { project = *changed; });
 }
 
 void EvaluationTab::refresh() {

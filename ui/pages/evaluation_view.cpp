@@ -22,6 +22,7 @@ EvaluationView::EvaluationView(Qt::Orientation orientation, QWidget* parent)
       list_(new QComboBox),
       chart_(new ChartView) {
     text_->setFrameShape(QFrame::NoFrame);
+    text_->setOpenLinks(false);
     text_->document()->setDocumentMargin(10);
     // Wide tables scroll; numbers are never broken.
     text_->setWordWrapMode(QTextOption::WordWrap);

@@ -70,10 +70,11 @@ ResultsPane::ResultsPane(Document& document, AnalysisRunner& runner, Selection& 
     connect(outputs_, &OutputsTab::shown_group_changed, this, [this] { show_group(selection_.group()); });
     tabs_->addTab(budget_tab_ = make_budget_tab(), tr("Budget"));
     tabs_->addTab(charts_tab_ = make_charts_tab(), tr("Charts"));
-    auto* evaluation = new EvaluationTab(runner, selection);
+    auto* evaluation = new EvaluationTab(document, runner, selection);
     add_unoffered(*tabs_, evaluation, tr("Evaluation"));
     connect(evaluation, &EvaluationTab::filled, tabs_,
             [this, evaluation](bool any) { offer(*stage_, *tabs_, *evaluation, any); });
+    connect(evaluation, &EvaluationTab::place_wanted, this, &ResultsPane::place_wanted);
     seen_ = new SeenTab(document, runner, selection);
     add_unoffered(*tabs_, seen_, tr("Seen"));
     connect(seen_, &SeenTab::place_wanted, this, &ResultsPane::place_wanted);

@@ -204,6 +204,7 @@ void add_links(SceneBuild& build) {
         added.from = link.from_W;
         added.to = link.to_W;
         added.radius = link_radius(link.kind) * build.scene.size;
+        added.is_doubtful = link.is_doubtful;
         added.is_dashed = link.kind == LinkKind::sight_line || link.kind == LinkKind::joint_axis;
     }
     shape_arms(build.scene);

@@ -92,6 +92,8 @@ public:
         if (std::ranges::any_of(scene_.links,
                                 [](const SceneLink& link) { return link.kind == LinkKind::sight_line; }))
             add(LegendMark::line, Role::sight_line, tell<"sight">());
+        if (std::ranges::any_of(scene_.links, &SceneLink::is_doubtful))
+            add(LegendMark::line, Role::not_met, tell<"sight with an outlier">());
     }
 
     void add_vectors() {

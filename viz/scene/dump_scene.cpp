@@ -106,7 +106,8 @@ void put_solids(std::ostream& out, const Scene& scene) {
         put_item(out << text_of(link.kind) << " ", link.item);
         out << " " << mm(link.from) << " to " << mm(link.to) << " radius " << mm(link.radius);
         if (link.end_radius > 0) out << " to " << mm(link.end_radius);
-        out << (link.is_dashed ? " dashed" : "") << (link.stands ? " stands" : "") << "\n";
+        out << (link.is_dashed ? " dashed" : "") << (link.is_doubtful ? " doubtful" : "")
+            << (link.stands ? " stands" : "") << "\n";
     }
     for (const SceneVector& vector : scene.vectors) {
         put_item(out << (vector.kind == VectorKind::moment ? "moment " : "force "), vector.item);

@@ -114,11 +114,12 @@ struct SceneLink {
     LinkKind kind = LinkKind::edge;
     Eigen::Vector3d from = Eigen::Vector3d::Zero();
     Eigen::Vector3d to = Eigen::Vector3d::Zero();
-    double radius = 0.0;      ///< radius of a tube, m; 0 = a thin line
-    double end_radius = 0.0;  ///< at `to`, where it is another
-    bool is_dashed = false;   ///< concerns a thin line
-    bool stands = false;      ///< the first of an arm, on its foot
-    double foot = 0.0;        ///< how far that reaches below `from`, m
+    double radius = 0.0;       ///< radius of a tube, m; 0 = a thin line
+    double end_radius = 0.0;   ///< at `to`, where it is another
+    bool is_dashed = false;    ///< concerns a thin line
+    bool is_doubtful = false;  ///< a sight that a reading along it contradicts
+    bool stands = false;       ///< the first of an arm, on its foot
+    double foot = 0.0;         ///< how far that reaches below `from`, m
     bool operator==(const SceneLink&) const = default;
 };
 

@@ -38,8 +38,9 @@ bool explains(const LegendLine& line, const Scene& scene) {
         case LegendMark::histogram:
             return !scene.wall_histograms.empty();
         case LegendMark::line:
-            return std::any_of(scene.links.begin(), scene.links.end(),
-                               [](const SceneLink& link) { return link.kind == LinkKind::sight_line; });
+            return std::any_of(scene.links.begin(), scene.links.end(), [&](const SceneLink& link) {
+                return line.role == Role::not_met ? link.is_doubtful : link.kind == LinkKind::sight_line;
+            });
         case LegendMark::arrow:
             return !scene.vectors.empty();
         case LegendMark::diamond:

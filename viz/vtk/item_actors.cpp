@@ -84,8 +84,12 @@ void add_lines(const Scene& scene, Parts& parts) {
         if (link.radius > 0 || !left) continue;
         const std::vector<Vector> line(left->begin(), left->end());
         const bool seeing = link.kind == LinkKind::sight_line || link.kind == LinkKind::field_of_view;
-        const Colour colour = parts.colour(seeing ? Role::sight_line : Role::link);
-        const double opacity = link.kind == LinkKind::field_of_view ? 0.5 * sight_opacity : sight_opacity;
+        const Colour colour = parts.colour(link.is_doubtful ? Role::not_met
+                                           : seeing         ? Role::sight_line
+                                                            : Role::link);
+        const double opacity = link.is_doubtful                       ? 1.0
+                               : link.kind == LinkKind::field_of_view ? 0.5 * sight_opacity
+                                                                      : sight_opacity;
         if (link.is_dashed)
             parts.dashes.line(line, colour, seeing ? opacity : 2 * sight_opacity);
         else

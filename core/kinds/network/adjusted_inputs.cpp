@@ -1,5 +1,8 @@
 // Input quantities of "network adjustment": one for each reading, and for each stated coordinate; and the
 // places of its points and sights.
+#include <cmath>
+#include <map>
+
 #include "core/base/name.h"
 #include "core/kinds/network/adjusted_setup.h"
 #include "core/text/numbers.h"
@@ -15,6 +18,16 @@ std::string group_of(const AdjustedNetwork& network, const AdjustedReading& read
     if (is_read(reading.kind) || reading.tilt != AdjustedReading::no_tilt)
         return network.points[reading.from].name;
     return network.figures[reading.figures.front()].instrument;
+}
+
+/// Whether each reading contradicts the others.
+std::vector<char> outliers_in(const AdjustedNetwork& network) {
+    std::vector<char> is_outlier(network.readings.size(), 0);
+    const adjustment::Reliability& found = reliability_of(network);
+    for (std::size_t i = 0; i < found.readings.size(); ++i)
+        is_outlier[i] =
+            found.readings[i].controlled && std::abs(found.readings[i].w) > adjustment::outlier_limit();
+    return is_outlier;
 }
 
 }  // namespace
@@ -83,16 +96,28 @@ Layout adjustment_layout(const AdjustedNetwork& network) {
         if (all) drawn.outputs = outputs;
         layout.points.push_back(std::move(drawn));
     }
-    std::size_t sights = 0;
-    for (const AdjustedReading& reading : network.readings) {
-        if (reading.from == reading.to || ++sights > most_drawn) continue;
-        for (const std::size_t to : {reading.to, reading.second})
-            if (to == reading.to || reading.kind == ReadingKind::angle)
-                layout.links.push_back(
-                    {.name = network.points[reading.from].name + " – " + network.points[to].name,
-                     .kind = LinkKind::sight_line,
-                     .from_W = network.position(reading.from),
-                     .to_W = network.position(to)});
+    const std::vector<char> is_outlier = outliers_in(network);
+    std::map<std::pair<std::size_t, std::size_t>, std::size_t> known;  // numbers of sights
+    for (std::size_t i = 0; i < network.readings.size(); ++i) {
+        const AdjustedReading& reading = network.readings[i];
+        if (reading.from == reading.to) continue;
+        for (const std::size_t to : {reading.to, reading.second}) {
+            if (to != reading.to && reading.kind != ReadingKind::angle) continue;
+            const auto sight = known.find({reading.from, to});
+            if (sight != known.end()) {
+                LayoutLink& link = layout.links[sight->second];
+                link.is_doubtful = link.is_doubtful || is_outlier[i] != 0;
+                continue;
+            }
+            if (known.size() >= most_drawn && !is_outlier[i]) continue;
+            known.try_emplace({reading.from, to}, layout.links.size());
+            layout.links.push_back(
+                {.name = network.points[reading.from].name + " – " + network.points[to].name,
+                 .kind = LinkKind::sight_line,
+                 .from_W = network.position(reading.from),
+                 .to_W = network.position(to),
+                 .is_doubtful = is_outlier[i] != 0});
+        }
     }
     return layout;
 }

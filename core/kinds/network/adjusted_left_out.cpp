@@ -400,6 +400,7 @@ Message alike_words(const AdjustedNetwork& network, std::size_t reading) {
 }
 
 std::optional<AdjustedNetwork> adjust_stated(StatedAdjustment stated, Problems& problems) {
+    stated.take_elevations();
     return Selection(std::move(stated), problems).run();
 }
 

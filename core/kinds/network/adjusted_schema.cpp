@@ -16,6 +16,13 @@ std::vector<ChoiceOf<CoordinateRole>> roles() {
             {CoordinateRole::none, "none", "not part of the network"}};
 }
 
+std::vector<ChoiceOf<CoordinateRole>> roles_in_plane() {
+    std::vector<ChoiceOf<CoordinateRole>> all = roles();
+    all.push_back({CoordinateRole::x_fixed, "x-fixed", "x fixed, y unknown"});
+    all.push_back({CoordinateRole::y_fixed, "y-fixed", "y fixed, x unknown"});
+    return all;
+}
+
 Columns<Stated::Point> point_columns() {
     using Row = Stated::Point;
     const Unit m = Unit::of("m"), mm = Unit::of("mm");
@@ -30,8 +37,9 @@ Columns<Stated::Point> point_columns() {
         .choice(&Row::plane, "plane", "plane",
                 "What is known of x and y: unknown; unknown, and what no reading tells is taken from this "
                 "point and "
-                "others like it (free network); fixed without uncertainty; stated with u.",
-                roles())
+                "others like it (free network); fixed without uncertainty; stated with u. For a datum by "
+                "three, two and one coordinates (3-2-1) one of the two is fixed by itself.",
+                roles_in_plane())
         .choice(&Row::height, "height", "height", "What is known of z, likewise.", roles());
     return columns.each(&Row::u,
                         by_axis({u[0], u[1], u[2]}, "Standard uncertainty of a stated coordinate.",
@@ -45,6 +53,7 @@ std::vector<ChoiceOf<ReadingKind>> kinds() {
             {ReadingKind::angle, "angle", "angle"},
             {ReadingKind::azimuth, "azimuth", "azimuth"},
             {ReadingKind::zenith_angle, "zenith-angle", "zenith angle"},
+            {Stated::Reading::elevation, "elevation", "elevation"},
             {ReadingKind::height_difference, "height-difference", "height difference"},
             {ReadingKind::x, "x", "x of a point"},
             {ReadingKind::y, "y", "y of a point"},

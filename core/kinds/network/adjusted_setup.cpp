@@ -183,6 +183,20 @@ void check_parts(const AdjustedNetwork& made, const AdjustedReading& reading, Pr
     }
 }
 
+}  // namespace
+
+void StatedAdjustment::take_elevations() {
+    constexpr double quarter_turn = 0.5 * std::numbers::pi;
+    for (Reading& reading : readings) {
+        if (reading.kind != Reading::elevation) continue;
+        reading.kind = ReadingKind::zenith_angle;
+        reading.is_elevation = true;
+        if (reading.angle) *reading.angle = quarter_turn - *reading.angle;
+    }
+}
+
+namespace {
+
 bool is_of_one_point(ReadingKind kind) {
     return kind == ReadingKind::x || kind == ReadingKind::y || kind == ReadingKind::z || is_in_frame(kind);
 }
@@ -222,18 +236,28 @@ void bring_to_face_one(const AdjustedNetwork& made, const Typed::Reading& typed,
 }
 
 /// The correlation of two readings as typed, whose sign changes where one of them is a zenith angle of face
-/// two: brought to face one its deviation has the opposite sign.
+/// two or was typed as an elevation: its deviation has the opposite sign.
 ReadingCorrelation correlation_of(const AdjustedNetwork& made, std::size_t first, std::size_t second,
-                                  const Typed::Correlation& typed) {
+                                  const Typed& stated, const Typed::Correlation& typed) {
     double coefficient = typed.coefficient;
-    for (const std::size_t i : {first, second})
-        if (made.readings[i].face_two && made.readings[i].kind == ReadingKind::zenith_angle)
-            coefficient = -coefficient;
+    for (const std::size_t i : {first, second}) {
+        const AdjustedReading& reading = made.readings[i];
+        if (reading.kind != ReadingKind::zenith_angle) continue;
+        if (reading.face_two != stated.readings[reading.row].is_elevation) coefficient = -coefficient;
+    }
     return {first, second, coefficient};
 }
 
+CoordinateRole role_of(const Typed::Point& typed, std::size_t axis) {
+    if (axis == 2) return typed.height;
+    if (typed.plane != CoordinateRole::x_fixed && typed.plane != CoordinateRole::y_fixed) return typed.plane;
+    return (typed.plane == CoordinateRole::x_fixed) == (axis == 0) ? CoordinateRole::fixed
+                                                                   : CoordinateRole::unknown;
+}
+
 void tell_left_out(AdjustedNetwork& made, const AdjustedReading& reading, const Message& why) {
-    made.left_out.push_back({words_of(made, reading), why.empty() ? tell<"by hand">() : why, reading.source});
+    made.left_out.push_back(
+        {words_of(made, reading), why.empty() ? tell<"by hand">() : why, reading.source, why.empty()});
 }
 
 void begin_scales(const Typed& stated, AdjustedNetwork& made) {
@@ -313,7 +337,7 @@ private:
             problems_.error(path, tell<"two points are called %1">(typed.name));
         AdjustedPoint point{.name = typed.name, .row = row};
         for (std::size_t c = 0; c < 3; ++c) {
-            point.role[c] = c < 2 ? typed.plane : typed.height;
+            point.role[c] = role_of(typed, c);
             point.placed[c] = typed.p[c].has_value();
             point.typed[c] = typed.p[c];
             const bool needs =
@@ -489,7 +513,8 @@ private:
             if (first->second == second->second)
                 problems_.error(path, tell<"reading %1 with itself">(typed.first));
             else
-                made_.correlations.push_back(correlation_of(made_, first->second, second->second, typed));
+                made_.correlations.push_back(
+                    correlation_of(made_, first->second, second->second, stated_, typed));
         }
     }
 

@@ -27,6 +27,8 @@ enum class CoordinateRole {
     fixed,    ///< a value without uncertainty
     stated,   ///< a value with a standard uncertainty: one more reading
     none,     ///< the network has no such coordinate: a height in a plane network
+    x_fixed,  ///< of x and y as they are typed: the one is fixed, the other unknown (datum 3-2-1)
+    y_fixed,
 };
 
 enum class ReadingKind {
@@ -93,15 +95,21 @@ struct StatedAdjustment {
         std::array<std::optional<double>, 3> u;
     };
     struct Reading {
+        /// A kind as it is typed; the adjustment has a zenith angle in its place.
+        static constexpr ReadingKind elevation = static_cast<ReadingKind>(reading_kinds);
         std::string label = {};
         ReadingKind kind = ReadingKind::slope_distance;
         std::string from = {}, to = {}, second = {}, round = {}, frame = {}, instrument = {};
         std::optional<double> length = {}, angle = {}, u_length = {}, u_angle = {};
         double height_from = 0.0, height_to = 0.0;
         bool face_two = false;  ///< said to be of face two; a zenith angle beyond half a turn is so anyway
+        bool is_elevation = false;  ///< a zenith angle that was typed as an elevation: its sign is the other
         bool left_out = false;
         Message why_left_out = {};  ///< reason, if it is not left out by hand
     };
+    /// Makes zenith angles of elevations.
+    void take_elevations();
+
     struct Correlation {
         std::string first, second;
         double coefficient = 0.0;
@@ -218,6 +226,7 @@ struct AdjustedFrame {
 struct LeftOut {
     Message what, why;
     std::string source = {};
+    bool is_by_hand = false;
 };
 
 /// A calibrated length of a distance, which is not adjusted.

@@ -10,6 +10,7 @@
 #include "core/kinds/points/component_evidence.h"
 #include "core/math/special_quantiles.h"
 #include "core/text/numbers.h"
+#include "core/text/row_links.h"
 
 namespace covaria::network {
 
@@ -75,6 +76,16 @@ LargestEffect largest_effect(const AdjustedNetwork& network, std::size_t reading
     return largest;
 }
 
+/// Places of typed readings in that order; empty for what is stated elsewhere.
+std::vector<std::string> places_of(const AdjustedNetwork& network, const std::vector<std::size_t>& order) {
+    std::vector<std::string> places;
+    for (const std::size_t i : order) {
+        const AdjustedReading& reading = network.readings[i];
+        places.push_back(reading.row == AdjustedReading::no_round ? std::string() : reading.source);
+    }
+    return places;
+}
+
 Table readings_table(const AdjustedNetwork& network, const adjustment::Reliability& found) {
     Table table{"residuals", known_text<"Residuals of the readings">()};
     table.add(known_text<"Reading">());
@@ -121,6 +132,10 @@ Table readings_table(const AdjustedNetwork& network, const adjustment::Reliabili
                                       : tell<"outlier? it cannot be told apart from %1">(alike));
         table.row(std::move(row));
     }
+    add_row_links(table, [places = places_of(network, order)](std::size_t row) {
+        const std::string& place = places[row];
+        return place.empty() ? RowLink() : RowLink{place, place + "/use", "left-out", tell<"leave out">()};
+    });
     if (outliers > 0)
         table.notes.push_back(
             tell<"%1 readings have |w| > 3.29 (0.1 %); where several do, look at the largest first.">(
@@ -133,6 +148,11 @@ Table left_out_table(const AdjustedNetwork& network) {
     table.add(known_text<"What">());
     table.add(known_text<"Reason">());
     for (const LeftOut& out : network.left_out) table.row({out.what, out.why});
+    add_row_links(table, [&network](std::size_t row) {
+        const LeftOut& out = network.left_out[row];
+        return out.is_by_hand ? RowLink{out.source, out.source + "/use", "used", tell<"use again">()}
+                              : RowLink{out.source};
+    });
     return table;
 }
 
@@ -165,14 +185,19 @@ void check_adjustment(const AdjustedNetwork& network, Problems& problems) {
     if (mistakes.empty()) mistakes = exchanged_names(network);
     for (Message& words : mistakes)
         problems.warning(adjustment_fields().place(&StatedAdjustment::readings), std::move(words));
+    const AdjustedReading& largest = network.readings[worst];
+    std::vector<Remedy> remedies;
+    if (mistakes.empty() && largest.row != AdjustedReading::no_round)
+        remedies.push_back({tell<"leave it out">(), {{largest.source + "/use", "left-out"}}});
+    remedies.push_back(remedy_as_seen(adjustment_fields().place(&StatedAdjustment::uncertainties)));
     problems.add(
         {.severity = Severity::warning,
-         .path = network.readings[worst].source,
+         .path = largest.source,
          .message =
              tell<"%1 The residuals are larger than the uncertainties allow; the largest for its uncertainty "
                   "is the %2. Look for mistyped or exchanged readings, or uncertainties that are too small">(
-                 test_words(found), words_of(network, network.readings[worst])),
-         .remedies = {remedy_as_seen(adjustment_fields().place(&StatedAdjustment::uncertainties))}});
+                 test_words(found), words_of(network, largest)),
+         .remedies = std::move(remedies)});
 }
 
 }  // namespace covaria::network

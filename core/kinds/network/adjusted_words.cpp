@@ -216,8 +216,9 @@ private:
         const Eigen::Vector3d d = displacement(p, move).normalized();
         for (Eigen::Index c = 0; c < 3; ++c)
             if (std::abs(d[c]) > 0.999) return Message(along_axes[static_cast<std::size_t>(c)]);
-        return tell<"the direction (%1, %2, %3)">(format_short(d.x(), 2), format_short(d.y(), 2),
-                                                  format_short(d.z(), 2));
+        return tell<"the direction (%1, %2, %3)">(Message::number(format_short(d.x(), 2)),
+                                                  Message::number(format_short(d.y(), 2)),
+                                                  Message::number(format_short(d.z(), 2)));
     }
 
     /// The moves of the part as a whole: along x, y, z, turns about x, y, z, scale; they move all of its

@@ -161,7 +161,7 @@ void warn_of_far_nominals(const NetworkSetup& setup, Problems& problems) {
             tell<"the readings find target %1 %2 mm from its nominal coordinates; look for exchanged names "
                  "or a "
                  "unit that was mixed up (the result does not depend on the nominal coordinates)">(
-                target.name, format_short(mm)));
+                target.name, Message::number(format_short(mm))));
     }
     if (far.size() > most_single)
         problems.warning(network_fields().place(&StatedNetwork::targets),

@@ -75,8 +75,9 @@ private:
                                (setup_.station(target, sight).X_WS().translation() - target.nominal).norm());
         if (u > 0.01 * nearest)
             problems_.warning(
-                path, tell<"target %1 is hardly localised: in one direction u is %2 m at a distance of %3 m">(
-                          target.name, format_short(u), format_short(nearest)));
+                path,
+                tell<"target %1 is hardly localised: in one direction u is %2 m at a distance of %3 m">(
+                    target.name, Message::number(format_short(u)), Message::number(format_short(nearest))));
         if (only_distances(target) && spread_off_a_plane(setup_, target) < 1e-3)
             problems_.warning(path, tell<"the stations that measure target %1 lie in one plane and read "
                                          "distances only: its mirror image behind that plane fits as well; "

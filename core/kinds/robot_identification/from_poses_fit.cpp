@@ -108,12 +108,15 @@ void warn_of_outlier(const Calibration& c, Index row, double size, Problems& pro
     Message words = tell<
         "pose %1: the residual of its %2 is %3 times its standard uncertainty (limit %4). "
         "Look at this pose first; hold it back by use = check">(
-        pose.name, coordinate_words(static_cast<std::size_t>(row % m)), format_short(size),
-        format_short(c.statistics.limit));
+        pose.name, coordinate_words(static_cast<std::size_t>(row % m)), Message::number(format_short(size)),
+        Message::number(format_short(c.statistics.limit)));
     if (!c.statistics.alike.empty())
         words = tell<"%1. An error of it cannot be told apart from one of %2">(
             words, rows_in_words(c, c.statistics.alike));
-    problems.warning(pose.source, std::move(words));
+    problems.add({.severity = Severity::warning,
+                  .path = pose.source,
+                  .message = std::move(words),
+                  .remedies = {{tell<"hold it back">(), {{pose.source + "/use", "check"}}}}});
 }
 
 /// Warns of residuals that the uncertainties do not explain.
@@ -127,7 +130,8 @@ void warn_of_residuals(const Calibration& c, Problems& problems) {
         .message =
             tell<"the residuals are %1 times as large as the uncertainties of points and readings explain: "
                  "there is more than these (a joint's elasticity, temperature, an outlier), and the "
-                 "uncertainty of the parameters is stated too small">(format_short(s.scatter))};
+                 "uncertainty of the parameters is stated too small">(
+                Message::number(format_short(s.scatter)))};
     if (c.uncertainties == evidence::UncertaintiesFrom::stated && s.evidence.readings)
         problem.remedies = {remedy_as_seen(fields().place(&Calibration::uncertainties))};
     problems.add(std::move(problem));
@@ -140,7 +144,7 @@ void warn_of_weakness(const Calibration& c, const std::string& place, Problems& 
         place,
         tell<
             "these poses hardly tell %1 apart (condition %2): turn more joints further, or hold one of them">(
-            least_told(c.statistics, c.names()), format_short(condition, 2)));
+            least_told(c.statistics, c.names()), Message::number(format_short(condition, 2))));
 }
 
 class Fit {

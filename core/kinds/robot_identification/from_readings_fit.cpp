@@ -100,20 +100,25 @@ void warn_of_outlier(const Identification& id, Problems& problems) {
     const Row& row = id.rows[static_cast<std::size_t>(s.worst_row())];
     Message words = tell<
         "%1: the residual is %2 times its standard uncertainty (limit %3). Look at this reading first; "
-        "hold it back by use = check">(row.name, format_short(s.worst_size()), format_short(s.limit));
+        "hold it back by use = check">(row.name, Message::number(format_short(s.worst_size())),
+                                       Message::number(format_short(s.limit)));
     if (!s.alike.empty())
         words =
             tell<"%1. An error of it cannot be told apart from one of %2">(words, rows_in_words(id, s.alike));
-    problems.warning(row.source, std::move(words));
+    problems.add({.severity = Severity::warning,
+                  .path = row.source,
+                  .message = std::move(words),
+                  .remedies = {{tell<"hold it back">(), {{row.source + "/use", "check"}}}}});
 }
 
 void warn(const Identification& id, Problems& problems) {
     const auto& s = id.statistics;
     const double condition = condition_of(s);
     if (condition >= identification::most_condition)
-        problems.warning(fields().place(&Identification::stated_poses),
-                         tell<"these poses hardly tell %1 apart (condition %2): turn more joints further, or "
-                              "hold one of them">(least_told(s, id.names()), format_short(condition, 2)));
+        problems.warning(
+            fields().place(&Identification::stated_poses),
+            tell<"these poses hardly tell %1 apart (condition %2): turn more joints further, or "
+                 "hold one of them">(least_told(s, id.names()), Message::number(format_short(condition, 2))));
     if (id.simulated) return;
     if (s.has_outlier()) warn_of_outlier(id, problems);
     if (!s.scatters_too_much()) return;
@@ -123,7 +128,7 @@ void warn(const Identification& id, Problems& problems) {
         .message = tell<
             "the residuals are %1 times as large as the uncertainties of the readings explain: there is "
             "more than these (a joint's elasticity, temperature, an outlier), and the uncertainty of the "
-            "parameters is stated too small">(format_short(s.scatter))};
+            "parameters is stated too small">(Message::number(format_short(s.scatter)))};
     if (id.uncertainties == evidence::UncertaintiesFrom::stated && s.evidence.readings)
         problem.remedies = {remedy_as_seen(fields().place(&Identification::uncertainties))};
     problems.add(std::move(problem));

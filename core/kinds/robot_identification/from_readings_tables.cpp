@@ -132,7 +132,7 @@ Table residual_table(const Identification& id) {
     }
     table.notes = {
         tell<"A residual beyond %1 times its own standard uncertainty is an outlier: 5 % for all residuals "
-             "together (Bonferroni).">(format_decimals(s.limit, 2))};
+             "together (Bonferroni).">(Message::number(format_decimals(s.limit, 2)))};
     return table;
 }
 

@@ -221,15 +221,19 @@ void warn(const Calibration& c, Problems& problems) {
         problems.warning(
             fields().place(&Calibration::stated),
             tell<"these poses hardly tell %1 apart (condition %2): turn the flange further, about "
-                 "other axes">(least_told(s, c.names()), format_short(condition, 2)));
+                 "other axes">(least_told(s, c.names()), Message::number(format_short(condition, 2))));
     const std::size_t m = c.rows_per_pair();
     if (s.has_outlier()) {
         const Pair& pair = c.pairs[static_cast<std::size_t>(s.worst_row()) / m];
-        problems.warning(
-            pair.source,
-            tell<"pose %1: a residual is %2 times its standard uncertainty (limit %3). Look at this "
-                 "pose first; hold it back by use = check">(pair.name, format_short(s.worst_size()),
-                                                            format_short(s.limit)));
+        problems.add(
+            {.severity = Severity::warning,
+             .path = pair.source,
+             .message =
+                 tell<"pose %1: a residual is %2 times its standard uncertainty (limit %3). Look at this "
+                      "pose first; hold it back by use = check">(
+                     pair.name, Message::number(format_short(s.worst_size())),
+                     Message::number(format_short(s.limit))),
+             .remedies = {{tell<"hold it back">(), {{pair.source + "/use", "check"}}}}});
     }
     if (!s.scatters_too_much()) return;
     Problem problem{
@@ -237,7 +241,7 @@ void warn(const Calibration& c, Problems& problems) {
         .path = fields().place(&Calibration::stated),
         .message = tell<"the residuals are %1 times as large as the stated uncertainties explain: "
                         "errors of the arm, of the instrument, an outlier; X and Z are then less "
-                        "certain than stated">(format_short(s.scatter))};
+                        "certain than stated">(Message::number(format_short(s.scatter)))};
     if (c.uncertainties == evidence::UncertaintiesFrom::stated && s.evidence.readings)
         problem.remedies = {remedy_as_seen(fields().place(&Calibration::uncertainties))};
     problems.add(std::move(problem));

@@ -4,6 +4,9 @@
 #include <QDir>
 #include <QTabWidget>
 #include <QTextBrowser>
+#include <QUndoStack>
+#include <QUrl>
+#include <algorithm>
 
 #include "tests/ui/main_window/window_fixture.h"
 #include "ui/charts/chart_view.h"
@@ -82,6 +85,60 @@ TEST_F(EvaluationSession, AModelShowsThePaperBesideTheGum) {
     ASSERT_TRUE(wait_for_text(*view, QStringLiteral("Decoupling matrix")));
     EXPECT_EQ(view->chart().plot().id, "uncompensated");
     shoot(QStringLiteral("evaluation-loads-light"));
+}
+
+TEST_F(EvaluationSession, AReadingIsLeftOutWhereItsResidualStands) {
+    open(project_copy(QStringLiteral("tracker-network")));
+    wait_until_idle();
+    EvaluationView* view = shown_in(window_->results().tabs());
+    ASSERT_NE(view, nullptr);
+    ASSERT_TRUE(wait_for_text(*view, QStringLiteral("Residuals of the readings")));
+    const QString html = view->text().toHtml();
+    const qsizetype at = html.indexOf(QStringLiteral("choose:/readings/"));
+    ASSERT_GE(at, 0) << "the reading with the largest |w| offers it";
+    const QUrl link(html.mid(at, html.indexOf(QLatin1Char('"'), at) - at));
+    const auto readings = [&]() -> const SetupTable& {
+        const Setup& setup = window_->document().project().analyses.front().setup;
+        return std::get<SetupTable>(setup.values.at("readings"));
+    };
+    const SetupTable before = readings();
+    ASSERT_FALSE(before.csv_file.empty()) << "the example has its readings in a file";
+    const auto left_out = [&] {
+        return std::ranges::count_if(readings().rows, [](const std::vector<SetupCell>& row) {
+            return std::ranges::count(row, SetupCell(std::string("left-out"))) > 0;
+        });
+    };
+    EXPECT_EQ(left_out(), 0);
+    emit view->text().anchorClicked(link);
+    EXPECT_EQ(left_out(), 1);
+    EXPECT_TRUE(readings().csv_file.empty()) << "the file stays as it is";
+    wait_until_idle();
+    ASSERT_TRUE(wait_for_text(*view, QStringLiteral("What is left out")));
+    const QString now = view->text().toHtml();
+    const qsizetype again = now.indexOf(QStringLiteral("use?used"));
+    ASSERT_GE(again, 0);
+    const qsizetype begin = now.lastIndexOf(QStringLiteral("choose:"), again);
+    emit view->text().anchorClicked(QUrl(now.mid(begin, now.indexOf(QLatin1Char('"'), begin) - begin)));
+    EXPECT_EQ(left_out(), 0);
+    window_->document().undo_stack().undo();
+    EXPECT_EQ(left_out(), 1);
+    window_->document().undo_stack().undo();
+    EXPECT_EQ(readings(), before) << "from the file again";
+}
+
+TEST_F(EvaluationSession, AResidualLeadsToItsReading) {
+    open(project_copy(QStringLiteral("tracker-network")));
+    wait_until_idle();
+    EvaluationView* view = shown_in(window_->results().tabs());
+    ASSERT_NE(view, nullptr);
+    ASSERT_TRUE(wait_for_text(*view, QStringLiteral("Residuals of the readings")));
+    QStringList places;
+    connect(&window_->results(), &ResultsPane::place_wanted, view,
+            [&](const QString& place) { places << place; });
+    emit view->text().anchorClicked(QUrl(QStringLiteral("place:/readings/rows/4")));
+    EXPECT_EQ(places, QStringList(QStringLiteral("/analyses/0/setup/readings/rows/4")));
+    emit view->text().anchorClicked(QUrl(QStringLiteral("https://example.org")));
+    EXPECT_EQ(places.size(), 1);
 }
 
 }  // namespace
