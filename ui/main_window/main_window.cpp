@@ -207,7 +207,8 @@ void MainWindow::make_toolbar() {
     for (QAction* worded : {add_->menuAction(), run_->run, run_->stop, run_->live, exports_->document_action})
         if (auto* button = qobject_cast<QToolButton*>(toolbar_->widgetForAction(worded)))
             button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    project_actions_ << exports_->document_action << exports_->pdf_action << exports_->certificate_action;
+    project_actions_ << exports_->document_action << exports_->pdf_action << exports_->certificate_action
+                     << exports_->sheet_action;
 }
 
 void MainWindow::make_menus() {
@@ -342,6 +343,9 @@ void MainWindow::connect_panes() {
         const bool typed = budget_->model() != nullptr;
         if (std::exchange(is_typed_, typed) != typed) results_->set_typed(typed);
     });
+    // Whoever picks an entry wants to see it.
+    connect(&selection_, &Selection::entry_changed, pages_, &MiddlePages::show_project);
+    connect(project_, &QAbstractItemView::clicked, pages_, &MiddlePages::show_project);
     connect_scene();
     show_inquiries_in_scene(*results_, *scene_);
     show_assets_in_scene(selection_, *scene_);

@@ -75,7 +75,10 @@ Answer answer_of(const UncertaintyResult& result, std::size_t output, const Docu
                              result_statement(result.outputs[j], result, in, units, digits) + "\n";
     if (answer.outputs.size() == 1) {
         const OutputResult& only = result.outputs[answer.outputs.front()];
-        answer.value = symbol_text(only.quantity.symbol) + " = ";
+        answer.value = symbol_text(only.quantity.symbol);
+        // The only one of a point: which point nothing else beside it says.
+        if (!group.empty()) answer.value += " (" + in.say(said_name(group)) + ")";
+        answer.value += " = ";
         if (is_stated_by_interval(only, result)) {
             answer.value += result_statement(only, result, in, units, digits);
             return answer;

@@ -36,7 +36,8 @@ void check_sequence(const TcpSetup& setup, const Sequence& sequence, Problems& p
         problems.warning(sequence.source,
                          tell<"the arc of %1 spans only %2°: uncertainties grow as the inverse square of the "
                               "span and may be %3 times those of half a turn">(
-                             about(sequence), format_short(degrees), format_decimals(factor, 0)));
+                             about(sequence), Message::number(format_short(degrees)),
+                             Message::number(format_decimals(factor, 0))));
     }
 }
 
@@ -66,7 +67,7 @@ void check_points(const TcpSetup& setup, Problems& problems) {
             problems.error(point.source,
                            tell<"point %1 is %2 mm on the other side of the supports' plane, where the "
                                 "ballbars look for no solution; change their placement or their side">(
-                               point.name, format_decimals(-1e3 * height, 3)));
+                               point.name, Message::number(format_decimals(-1e3 * height, 3))));
             continue;
         }
         const double u = height_uncertainty(setup, point);
@@ -75,7 +76,8 @@ void check_points(const TcpSetup& setup, Problems& problems) {
                              tell<"point %1 is only %2 mm from the supports' plane, with a standard "
                                   "uncertainty of %3 mm in that direction: in some trials the lengths will "
                                   "not meet (negative root), and u is not to be trusted">(
-                                 point.name, format_short(1e3 * height), format_short(1e3 * u, 2)));
+                                 point.name, Message::number(format_short(1e3 * height)),
+                                 Message::number(format_short(1e3 * u, 2))));
     }
 }
 

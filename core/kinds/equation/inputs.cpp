@@ -179,7 +179,8 @@ private:
         else if (!is_new && first->second != nu)
             refuse(row, &StatedComponent::ensemble,
                    tell<"the members of ensemble '%1' have one and the same nu; it is %2 in the first, %3 "
-                        "here">(at(row).ensemble, format_short(first->second, 6), format_short(nu, 6)));
+                        "here">(at(row).ensemble, Message::number(format_short(first->second, 6)),
+                                Message::number(format_short(nu, 6))));
         else
             result_.inputs.rest_on_estimate("ensemble " + at(row).ensemble, index);
     }
@@ -241,7 +242,7 @@ private:
                 equation_fields().place(&StatedEquations::components, row, &StatedComponent::value),
                 "'" + at(row).symbol + "': " +
                     tell<"the value typed is used, not the mean of the observations, %1">(
-                        format_short(mean->mean, 9)));
+                        Message::number(format_short(mean->mean, 9))));
         if (!draft.estimate && mean->count > 0) draft.estimate = draft.unit.to_si(mean->mean);
         made.unit = draft.unit.interval();
         made.type = EvaluationType::type_a;

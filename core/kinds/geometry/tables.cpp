@@ -226,8 +226,10 @@ void warn_of_condition(const GeometrySetup& setup, Problems& problems) {
             geometry_fields().place(&StatedGeometry::features, k),
             tell<"the points of '%1' are within %2° of the middle of their arc: its diameter has %3 times "
                  "the standard uncertainty of a coordinate and correlates with the place of the centre by "
-                 "%4">(feature.name, format_short(Unit::of("deg").from_si(condition.covered), 2),
-                       format_short(2.0 * condition.radius, 2), format_short(condition.correlation, 4)));
+                 "%4">(feature.name,
+                       Message::number(format_short(Unit::of("deg").from_si(condition.covered), 2)),
+                       Message::number(format_short(2.0 * condition.radius, 2)),
+                       Message::number(format_short(condition.correlation, 4))));
     }
 }
 

@@ -194,7 +194,8 @@ void warn_of_large_uncertainty(const PoseSetup& setup, const InputSet& inputs, S
             frame_fields(side).place(&FrameRule::points),
             tell<"the standard uncertainty of a coordinate, %1 mm, is more than a tenth of the distance of "
                  "point %2 from the x-axis, %3 mm: the law of propagation is not reliable here, look at "
-                 "Monte Carlo">(format_short(1e3 * u), rule.points[2].name, format_short(1e3 * height)));
+                 "Monte Carlo">(Message::number(format_short(1e3 * u)), rule.points[2].name,
+                                Message::number(format_short(1e3 * height))));
 }
 
 void warn_of_other_axes(const FrameRule& rule, Side side, Problems& problems) {
@@ -209,7 +210,8 @@ void warn_of_other_axes(const FrameRule& rule, Side side, Problems& problems) {
         frame_fields(side).place(&FrameRule::points),
         tell<"the frame made from these points lies %1 mm and %2° away from the axes in which they are "
              "given, so results differ from the table of poses; check the side of point 3 and the shift of "
-             "the origin">(format_short(1e3 * shift), format_short(Unit::of("deg").from_si(angle))));
+             "the origin">(Message::number(format_short(1e3 * shift)),
+                           Message::number(format_short(Unit::of("deg").from_si(angle)))));
 }
 
 void warn_of_singular_orientation(const PoseSetup& setup, std::size_t k, Problems& problems) {
