@@ -231,7 +231,7 @@ void say_tables_for_reading(TextList& list, const std::vector<Table>& tables) {
         list.say("Title of a table", table.title);
         for (const Column& column : table.columns)
             for (const std::string& head : {column.key, column.head})
-                if (!column.is_symbol && !head.empty()) list.say("Head of a column", head);
+                if (!column.is_symbol && !column.hidden && !head.empty()) list.say("Head of a column", head);
     }
 }
 

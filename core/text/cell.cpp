@@ -281,6 +281,7 @@ Table evaluation_table(Table table, const DocumentLanguage& in) {
     table.title = in.say_declared(table.title);
     for (Message& note : table.notes) note = in.say(note);
     for (Column& column : table.columns) {
+        if (column.hidden) continue;
         const std::string& head = column.head.empty() ? column.key : column.head;
         if (column.title.empty())
             column.title = column.is_symbol ? symbols_text(head) : running_text(in.say_declared(head));

@@ -5675,10 +5675,6 @@
         <translation>Zeilen, die bleiben</translation>
     </message>
     <message>
-        <source>row</source>
-        <translation>Zeile</translation>
-    </message>
-    <message>
         <source>fixed</source>
         <translation>fest</translation>
     </message>
@@ -8197,10 +8193,6 @@
     <message>
         <source>at the solution the unknowns cannot be told apart; hold one of those that the table of observability names</source>
         <translation>an der Lösung sind die Unbekannten nicht zu trennen; einen der Parameter festhalten, die die Tabelle der Beobachtbarkeit nennt</translation>
-    </message>
-    <message>
-        <source>joint %1 slides: only arms whose joints turn are identified; take an arm without it, as it stands during the measurement</source>
-        <translation>Gelenk %1 schiebt: identifiziert werden nur Arme, deren Gelenke drehen; einen Arm ohne dieses Gelenk nehmen, so wie es während der Messung steht</translation>
     </message>
     <message>
         <source>the fit has %1 poses; it needs three or more, and about twenty to tell all parameters</source>
@@ -14335,10 +14327,6 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     <message>
         <source>plane</source>
         <translation>Ebene</translation>
-    </message>
-    <message>
-        <source>What is known of x and y: unknown; unknown, and what no reading tells is taken from this point and others like it (free network); fixed without uncertainty; stated with u.</source>
-        <translation>Was über x und y bekannt ist: unbekannt; unbekannt, und was keine Ablesung sagt, wird aus diesem Punkt und anderen wie ihm genommen (freies Netz); fest ohne Unsicherheit; angegeben mit u.</translation>
     </message>
     <message>
         <source>unknown, of the datum</source>
@@ -20916,6 +20904,122 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
         <source>nominal robot</source>
         <translation>Nennroboter</translation>
     </message>
+    <message>
+        <source>What is known of x and y: unknown; unknown, and what no reading tells is taken from this point and others like it (free network); fixed without uncertainty; stated with u. For a datum by three, two and one coordinates (3-2-1) one of the two is fixed by itself.</source>
+        <translation>Was über x und y bekannt ist: unbekannt; unbekannt, und was keine Ablesung sagt, wird aus diesem Punkt und anderen wie ihm genommen (freies Netz); fest ohne Unsicherheit; angegeben mit u. Für ein Datum durch drei, zwei und eine Koordinate (3-2-1) ist eine der beiden für sich allein fest.</translation>
+    </message>
+    <message>
+        <source>x fixed, y unknown</source>
+        <translation>x fest, y unbekannt</translation>
+    </message>
+    <message>
+        <source>y fixed, x unknown</source>
+        <translation>y fest, x unbekannt</translation>
+    </message>
+    <message>
+        <source>moved by</source>
+        <translation>mitbewegt von</translation>
+    </message>
+    <message>
+        <source>Number of another joint whose travel moves this one along: where joint 3 turns by what joints 2 and 3 read, its 2. Empty: none.</source>
+        <translation>Nummer eines anderen Gelenks, dessen Weg dieses mitbewegt: Wo sich Gelenk 3 um das dreht, was die Gelenke 2 und 3 ablesen, steht bei ihm 2. Leer: keines.</translation>
+    </message>
+    <message>
+        <source>share</source>
+        <translation>Anteil</translation>
+    </message>
+    <message>
+        <source>By which part of that travel it is moved along, with its sign; empty: 1.</source>
+        <translation>Um welchen Teil dieses Weges es mitbewegt wird, mit Vorzeichen; leer: 1.</translation>
+    </message>
+    <message>
+        <source>it has too many components for a linear part</source>
+        <translation>sie hat zu viele Komponenten für einen linearen Teil</translation>
+    </message>
+    <message>
+        <source>further components of %1</source>
+        <translation>weitere Komponenten von %1</translation>
+    </message>
+    <message>
+        <source>further components</source>
+        <translation>weitere Komponenten</translation>
+    </message>
+    <message>
+        <source>leave out</source>
+        <translation>weglassen</translation>
+    </message>
+    <message>
+        <source>use again</source>
+        <translation>wieder verwenden</translation>
+    </message>
+    <message>
+        <source>leave it out</source>
+        <translation>weglassen</translation>
+    </message>
+    <message>
+        <source>say which joint moves joint %1 along</source>
+        <translation>angeben, welches Gelenk Gelenk %1 mitbewegt</translation>
+    </message>
+    <message>
+        <source>joint %1 does not move itself along</source>
+        <translation>Gelenk %1 bewegt sich nicht selbst mit</translation>
+    </message>
+    <message>
+        <source>joints %1 and %2: only joints that turn move each other along</source>
+        <translation>Gelenke %1 und %2: nur Gelenke, die drehen, bewegen einander mit</translation>
+    </message>
+    <message>
+        <source>joint %1 is moved along by another, so that a joint that turns alone does not lead a point round its axis: identify it from poses or readings</source>
+        <translation>Gelenk %1 wird von einem anderen mitbewegt, so dass ein Gelenk, das allein dreht, keinen Punkt um seine Achse führt: aus Posen oder Ablesungen identifizieren</translation>
+    </message>
+    <message>
+        <source>hold it back</source>
+        <translation>zurückhalten</translation>
+    </message>
+    <message>
+        <source>joint %1 slides: without its limits there is no range over which poses could be simulated</source>
+        <translation>Gelenk %1 schiebt: ohne seine Grenzen gibt es keinen Bereich, über den Posen simuliert werden könnten</translation>
+    </message>
+    <message>
+        <source>%1 of %2 not decided</source>
+        <translation>%1 von %2 nicht entschieden</translation>
+    </message>
+    <message>
+        <source>%1 of %2 not met, %3 not decided</source>
+        <translation>%1 von %2 nicht erfüllt, %3 nicht entschieden</translation>
+    </message>
+    <message>
+        <source>Decisions: %1</source>
+        <translation>Entscheidungen: %1</translation>
+    </message>
+    <message>
+        <source>Sheet of a measurement</source>
+        <translation>Ergebnisblatt einer Messung</translation>
+    </message>
+    <message>
+        <source>Of %1 quantities that are stated %2 have no certificate; they are assumed: %3.</source>
+        <translation>Von %1 angegebenen Größen haben %2 keinen Kalibrierschein; sie sind angenommen: %3.</translation>
+    </message>
+    <message>
+        <source>joint %1 is moved along by another, which files of this kind cannot state</source>
+        <translation>Gelenk %1 wird von einem anderen mitbewegt, was Dateien dieser Art nicht angeben können</translation>
+    </message>
+    <message>
+        <source>%1 has figures of %2 (%3)</source>
+        <translation>%1 hat Angaben von %2 (%3)</translation>
+    </message>
+    <message>
+        <source>%1 more have figures of a document among these: they follow when it is amended.</source>
+        <translation>%1 weitere haben Angaben eines dieser Dokumente: Sie folgen, wenn es geändert wird.</translation>
+    </message>
+    <message>
+        <source>Documents that follow</source>
+        <translation>Folgedokumente</translation>
+    </message>
+    <message>
+        <source>sight with an outlier</source>
+        <translation>Ziellinie mit Ausreißer</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -21609,6 +21713,22 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     <message>
         <source>Show the Field</source>
         <translation>Feld zeigen</translation>
+    </message>
+    <message>
+        <source>not met: %1 of %2</source>
+        <translation>nicht erfüllt: %1 von %2</translation>
+    </message>
+    <message>
+        <source>not decided: %1 of %2</source>
+        <translation>nicht entschieden: %1 von %2</translation>
+    </message>
+    <message>
+        <source>met</source>
+        <translation>erfüllt</translation>
+    </message>
+    <message>
+        <source>all %1 met</source>
+        <translation>alle %1 erfüllt</translation>
     </message>
 </context>
 <context>
@@ -22782,6 +22902,10 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
         <source>Evaluation of the set-up</source>
         <translation>Auswertung des Aufbaus</translation>
     </message>
+    <message>
+        <source>Change of a reading where its residual stands</source>
+        <translation>Änderung einer Ablesung bei ihrem Residuum</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::EvaluationView</name>
@@ -22919,6 +23043,14 @@ An diesen Stellen steht „nicht angegeben“. Es sind Felder der Seite des Proj
     <message>
         <source>Ex&amp;port</source>
         <translation>&amp;Exportieren</translation>
+    </message>
+    <message>
+        <source>&amp;Sheet as PDF …</source>
+        <translation>Ergebnis&amp;blatt als PDF …</translation>
+    </message>
+    <message>
+        <source>Export Sheet</source>
+        <translation>Ergebnisblatt exportieren</translation>
     </message>
 </context>
 <context>
@@ -23297,10 +23429,6 @@ An diesen Stellen steht „nicht angegeben“. Es sind Felder der Seite des Proj
         <translation>Was an einem Kalibrierschein hängt</translation>
     </message>
     <message>
-        <source>Not evaluated</source>
-        <translation>Nicht ausgewertet</translation>
-    </message>
-    <message>
         <source>New Figures</source>
         <translation>Neue Angaben</translation>
     </message>
@@ -23391,6 +23519,10 @@ An diesen Stellen steht „nicht angegeben“. Es sind Felder der Seite des Proj
     <message>
         <source>Both before and after by the law of propagation.</source>
         <translation>Vorher und nachher nach dem Fortpflanzungsgesetz.</translation>
+    </message>
+    <message>
+        <source>Not evaluated, and what follows</source>
+        <translation>Nicht ausgewertet, und Folgedokumente</translation>
     </message>
 </context>
 <context>
@@ -24982,10 +25114,6 @@ Verwendet von: %1. Dort steht ein Fehler, bis etwas anderes verwendet wird.</tra
         <translation>Dokument</translation>
     </message>
     <message>
-        <source>What is shown: the report, or the calibration certificate</source>
-        <translation>Was gezeigt wird: der Bericht oder der Kalibrierschein</translation>
-    </message>
-    <message>
         <source>Report</source>
         <translation>Bericht</translation>
     </message>
@@ -25048,6 +25176,18 @@ Verwendet von: %1. Dort steht ein Fehler, bis etwas anderes verwendet wird.</tra
     <message>
         <source>Being made …</source>
         <translation>wird erstellt …</translation>
+    </message>
+    <message>
+        <source>The document that is shown: the report, the calibration certificate, or a sheet of two pages for each analysis</source>
+        <translation>Das angezeigte Dokument: der Bericht, der Kalibrierschein oder ein Ergebnisblatt von zwei Seiten je Analyse</translation>
+    </message>
+    <message>
+        <source>Sheet</source>
+        <translation>Ergebnisblatt</translation>
+    </message>
+    <message>
+        <source>The sheet</source>
+        <translation>Das Ergebnisblatt</translation>
     </message>
 </context>
 <context>

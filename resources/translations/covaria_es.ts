@@ -5675,10 +5675,6 @@
         <translation>Filas que se conservan</translation>
     </message>
     <message>
-        <source>row</source>
-        <translation>fila</translation>
-    </message>
-    <message>
         <source>fixed</source>
         <translation>fija</translation>
     </message>
@@ -8197,10 +8193,6 @@
     <message>
         <source>at the solution the unknowns cannot be told apart; hold one of those that the table of observability names</source>
         <translation>en la solución las incógnitas no se pueden distinguir; fije una de las que nombra la tabla de observabilidad</translation>
-    </message>
-    <message>
-        <source>joint %1 slides: only arms whose joints turn are identified; take an arm without it, as it stands during the measurement</source>
-        <translation>la articulación %1 se desliza: solo se identifican brazos cuyas articulaciones giran; tome un brazo sin ella, tal como está durante la medición</translation>
     </message>
     <message>
         <source>the fit has %1 poses; it needs three or more, and about twenty to tell all parameters</source>
@@ -14335,10 +14327,6 @@ nu 18 detrás de cualquiera de ellos: grados de libertad</translation>
     <message>
         <source>plane</source>
         <translation>plano</translation>
-    </message>
-    <message>
-        <source>What is known of x and y: unknown; unknown, and what no reading tells is taken from this point and others like it (free network); fixed without uncertainty; stated with u.</source>
-        <translation>Lo que se sabe de x e y: incógnita; incógnita, y lo que ninguna lectura dice se toma de este punto y de otros como él (red libre); fija sin incertidumbre; indicada con u.</translation>
     </message>
     <message>
         <source>unknown, of the datum</source>
@@ -20916,6 +20904,122 @@ nu 18 detrás de cualquiera de ellos: grados de libertad</translation>
         <source>nominal robot</source>
         <translation>robot nominal</translation>
     </message>
+    <message>
+        <source>What is known of x and y: unknown; unknown, and what no reading tells is taken from this point and others like it (free network); fixed without uncertainty; stated with u. For a datum by three, two and one coordinates (3-2-1) one of the two is fixed by itself.</source>
+        <translation>Lo que se sabe de x e y: incógnita; incógnita, y lo que ninguna lectura dice se toma de este punto y de otros como él (red libre); fija sin incertidumbre; indicada con u. Para un datum de tres, dos y una coordenadas (3-2-1) se fija una sola de las dos.</translation>
+    </message>
+    <message>
+        <source>x fixed, y unknown</source>
+        <translation>x fija, y incógnita</translation>
+    </message>
+    <message>
+        <source>y fixed, x unknown</source>
+        <translation>y fija, x incógnita</translation>
+    </message>
+    <message>
+        <source>moved by</source>
+        <translation>arrastrada por</translation>
+    </message>
+    <message>
+        <source>Number of another joint whose travel moves this one along: where joint 3 turns by what joints 2 and 3 read, its 2. Empty: none.</source>
+        <translation>Número de otra articulación cuyo recorrido arrastra a esta: donde la articulación 3 gira lo que leen las articulaciones 2 y 3, en ella va un 2. Vacío: ninguna.</translation>
+    </message>
+    <message>
+        <source>share</source>
+        <translation>parte</translation>
+    </message>
+    <message>
+        <source>By which part of that travel it is moved along, with its sign; empty: 1.</source>
+        <translation>En qué parte de ese recorrido es arrastrada, con su signo; vacío: 1.</translation>
+    </message>
+    <message>
+        <source>it has too many components for a linear part</source>
+        <translation>tiene demasiadas componentes para una parte lineal</translation>
+    </message>
+    <message>
+        <source>further components of %1</source>
+        <translation>otras componentes de %1</translation>
+    </message>
+    <message>
+        <source>further components</source>
+        <translation>otras componentes</translation>
+    </message>
+    <message>
+        <source>leave out</source>
+        <translation>omitir</translation>
+    </message>
+    <message>
+        <source>use again</source>
+        <translation>usar de nuevo</translation>
+    </message>
+    <message>
+        <source>leave it out</source>
+        <translation>omitirla</translation>
+    </message>
+    <message>
+        <source>say which joint moves joint %1 along</source>
+        <translation>indique qué articulación arrastra a la articulación %1</translation>
+    </message>
+    <message>
+        <source>joint %1 does not move itself along</source>
+        <translation>la articulación %1 no se arrastra a sí misma</translation>
+    </message>
+    <message>
+        <source>joints %1 and %2: only joints that turn move each other along</source>
+        <translation>articulaciones %1 y %2: solo las articulaciones que giran se arrastran entre sí</translation>
+    </message>
+    <message>
+        <source>joint %1 is moved along by another, so that a joint that turns alone does not lead a point round its axis: identify it from poses or readings</source>
+        <translation>la articulación %1 es arrastrada por otra, de modo que una articulación que gira sola no lleva ningún punto alrededor de su eje: identifíquela a partir de poses o lecturas</translation>
+    </message>
+    <message>
+        <source>hold it back</source>
+        <translation>reservar</translation>
+    </message>
+    <message>
+        <source>joint %1 slides: without its limits there is no range over which poses could be simulated</source>
+        <translation>la articulación %1 se desliza: sin sus límites no hay intervalo en el que simular poses</translation>
+    </message>
+    <message>
+        <source>%1 of %2 not decided</source>
+        <translation>%1 de %2 sin decidir</translation>
+    </message>
+    <message>
+        <source>%1 of %2 not met, %3 not decided</source>
+        <translation>%1 de %2 no cumplidos, %3 sin decidir</translation>
+    </message>
+    <message>
+        <source>Decisions: %1</source>
+        <translation>Decisiones: %1</translation>
+    </message>
+    <message>
+        <source>Sheet of a measurement</source>
+        <translation>Hoja de una medición</translation>
+    </message>
+    <message>
+        <source>Of %1 quantities that are stated %2 have no certificate; they are assumed: %3.</source>
+        <translation>De %1 magnitudes indicadas, %2 no tienen certificado; son supuestas: %3.</translation>
+    </message>
+    <message>
+        <source>joint %1 is moved along by another, which files of this kind cannot state</source>
+        <translation>la articulación %1 es arrastrada por otra, lo que los archivos de esta clase no pueden indicar</translation>
+    </message>
+    <message>
+        <source>%1 has figures of %2 (%3)</source>
+        <translation>%1 tiene cifras de %2 (%3)</translation>
+    </message>
+    <message>
+        <source>%1 more have figures of a document among these: they follow when it is amended.</source>
+        <translation>%1 más tienen cifras de uno de estos documentos: deben seguirlo cuando se enmiende.</translation>
+    </message>
+    <message>
+        <source>Documents that follow</source>
+        <translation>Documentos derivados</translation>
+    </message>
+    <message>
+        <source>sight with an outlier</source>
+        <translation>visual con un valor atípico</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -21609,6 +21713,22 @@ nu 18 detrás de cualquiera de ellos: grados de libertad</translation>
     <message>
         <source>Show the Field</source>
         <translation>Mostrar el campo</translation>
+    </message>
+    <message>
+        <source>not met: %1 of %2</source>
+        <translation>no cumplidos: %1 de %2</translation>
+    </message>
+    <message>
+        <source>not decided: %1 of %2</source>
+        <translation>sin decidir: %1 de %2</translation>
+    </message>
+    <message>
+        <source>met</source>
+        <translation>cumplido</translation>
+    </message>
+    <message>
+        <source>all %1 met</source>
+        <translation>los %1 cumplidos</translation>
     </message>
 </context>
 <context>
@@ -22782,6 +22902,10 @@ nu 18 detrás de cualquiera de ellos: grados de libertad</translation>
         <source>Evaluation of the set-up</source>
         <translation>Evaluación de la configuración</translation>
     </message>
+    <message>
+        <source>Change of a reading where its residual stands</source>
+        <translation>Cambio de una lectura junto a su residuo</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::EvaluationView</name>
@@ -22919,6 +23043,14 @@ En esos lugares figura “not stated”. Son campos de la página del proyecto.<
     <message>
         <source>Ex&amp;port</source>
         <translation>&amp;Exportar</translation>
+    </message>
+    <message>
+        <source>&amp;Sheet as PDF …</source>
+        <translation>H&amp;oja en PDF …</translation>
+    </message>
+    <message>
+        <source>Export Sheet</source>
+        <translation>Exportar hoja</translation>
     </message>
 </context>
 <context>
@@ -23297,10 +23429,6 @@ En esos lugares figura “not stated”. Son campos de la página del proyecto.<
         <translation>Qué depende de un certificado</translation>
     </message>
     <message>
-        <source>Not evaluated</source>
-        <translation>No evaluado</translation>
-    </message>
-    <message>
         <source>New Figures</source>
         <translation>Cifras nuevas</translation>
     </message>
@@ -23391,6 +23519,10 @@ En esos lugares figura “not stated”. Son campos de la página del proyecto.<
     <message>
         <source>Both before and after by the law of propagation.</source>
         <translation>Antes y después por la ley de propagación.</translation>
+    </message>
+    <message>
+        <source>Not evaluated, and what follows</source>
+        <translation>No evaluado, y documentos derivados</translation>
     </message>
 </context>
 <context>
@@ -24982,10 +25114,6 @@ Lo usan: %1. Tendrán un error hasta que usen otra cosa.</translation>
         <translation>Documento</translation>
     </message>
     <message>
-        <source>What is shown: the report, or the calibration certificate</source>
-        <translation>Lo que se muestra: el informe o el certificado de calibración</translation>
-    </message>
-    <message>
         <source>Report</source>
         <translation>Informe</translation>
     </message>
@@ -25048,6 +25176,18 @@ Lo usan: %1. Tendrán un error hasta que usen otra cosa.</translation>
     <message>
         <source>Being made …</source>
         <translation>en preparación …</translation>
+    </message>
+    <message>
+        <source>The document that is shown: the report, the calibration certificate, or a sheet of two pages for each analysis</source>
+        <translation>El documento que se muestra: el informe, el certificado de calibración o una hoja de dos páginas por análisis</translation>
+    </message>
+    <message>
+        <source>Sheet</source>
+        <translation>Hoja</translation>
+    </message>
+    <message>
+        <source>The sheet</source>
+        <translation>La hoja</translation>
     </message>
 </context>
 <context>

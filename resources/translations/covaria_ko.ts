@@ -5674,10 +5674,6 @@
         <translation>유지되는 행</translation>
     </message>
     <message>
-        <source>row</source>
-        <translation>행</translation>
-    </message>
-    <message>
         <source>fixed</source>
         <translation>고정</translation>
     </message>
@@ -8196,10 +8192,6 @@
     <message>
         <source>at the solution the unknowns cannot be told apart; hold one of those that the table of observability names</source>
         <translation>해에서 미지수들을 구별할 수 없습니다. 관측 가능성 표에 있는 것 중 하나를 고정하십시오</translation>
-    </message>
-    <message>
-        <source>joint %1 slides: only arms whose joints turn are identified; take an arm without it, as it stands during the measurement</source>
-        <translation>관절 %1은(는) 직선 관절입니다. 회전 관절만 있는 로봇 팔만 식별합니다. 측정하는 동안의 상태로 그 관절을 뺀 로봇 팔을 사용하십시오</translation>
     </message>
     <message>
         <source>the fit has %1 poses; it needs three or more, and about twenty to tell all parameters</source>
@@ -14334,10 +14326,6 @@ sample 1; 2; 3 weights 2; 5; 2 (그대로 뽑음), histogram 0; 1; 2 weights 5; 
     <message>
         <source>plane</source>
         <translation>평면</translation>
-    </message>
-    <message>
-        <source>What is known of x and y: unknown; unknown, and what no reading tells is taken from this point and others like it (free network); fixed without uncertainty; stated with u.</source>
-        <translation>x와 y에 대해 알려진 것: 미지; 미지이며, 어떤 읽음값도 알려 주지 않는 것을 이 점과 같은 종류의 다른 점에서 취함(자유망); 불확도 없이 고정; u와 함께 제시.</translation>
     </message>
     <message>
         <source>unknown, of the datum</source>
@@ -20915,6 +20903,122 @@ sample 1; 2; 3 weights 2; 5; 2 (그대로 뽑음), histogram 0; 1; 2 weights 5; 
         <source>nominal robot</source>
         <translation>공칭 로봇</translation>
     </message>
+    <message>
+        <source>What is known of x and y: unknown; unknown, and what no reading tells is taken from this point and others like it (free network); fixed without uncertainty; stated with u. For a datum by three, two and one coordinates (3-2-1) one of the two is fixed by itself.</source>
+        <translation>x와 y에 대해 알려진 것: 미지; 미지이며, 어떤 읽음값도 알려 주지 않는 것을 이 점과 같은 종류의 다른 점에서 취함(자유망); 불확도 없이 고정; u와 함께 제시. 좌표 세 개, 두 개, 한 개로 정하는 데이텀(3-2-1)에서는 둘 중 하나만 고정합니다.</translation>
+    </message>
+    <message>
+        <source>x fixed, y unknown</source>
+        <translation>x 고정, y 미지</translation>
+    </message>
+    <message>
+        <source>y fixed, x unknown</source>
+        <translation>y 고정, x 미지</translation>
+    </message>
+    <message>
+        <source>moved by</source>
+        <translation>연동시키는 관절</translation>
+    </message>
+    <message>
+        <source>Number of another joint whose travel moves this one along: where joint 3 turns by what joints 2 and 3 read, its 2. Empty: none.</source>
+        <translation>그 움직임으로 이 관절을 함께 움직이는 다른 관절의 번호. 관절 3이 관절 2와 3의 읽음값만큼 회전하면 관절 3에 2를 적습니다. 비어 있으면 없음.</translation>
+    </message>
+    <message>
+        <source>share</source>
+        <translation>비율</translation>
+    </message>
+    <message>
+        <source>By which part of that travel it is moved along, with its sign; empty: 1.</source>
+        <translation>그 움직임 가운데 함께 움직이는 비율, 부호 포함. 비어 있으면 1.</translation>
+    </message>
+    <message>
+        <source>it has too many components for a linear part</source>
+        <translation>선형 부분을 쓰기에는 성분이 너무 많습니다</translation>
+    </message>
+    <message>
+        <source>further components of %1</source>
+        <translation>%1의 나머지 성분</translation>
+    </message>
+    <message>
+        <source>further components</source>
+        <translation>나머지 성분</translation>
+    </message>
+    <message>
+        <source>leave out</source>
+        <translation>빼기</translation>
+    </message>
+    <message>
+        <source>use again</source>
+        <translation>다시 사용</translation>
+    </message>
+    <message>
+        <source>leave it out</source>
+        <translation>빼기</translation>
+    </message>
+    <message>
+        <source>say which joint moves joint %1 along</source>
+        <translation>관절 %1을(를) 연동시키는 관절을 지정하십시오</translation>
+    </message>
+    <message>
+        <source>joint %1 does not move itself along</source>
+        <translation>관절 %1은(는) 자신을 연동시킬 수 없습니다</translation>
+    </message>
+    <message>
+        <source>joints %1 and %2: only joints that turn move each other along</source>
+        <translation>관절 %1, %2: 회전 관절만 서로 연동시킬 수 있습니다</translation>
+    </message>
+    <message>
+        <source>joint %1 is moved along by another, so that a joint that turns alone does not lead a point round its axis: identify it from poses or readings</source>
+        <translation>관절 %1은(는) 다른 관절에 연동되므로, 한 관절만 돌려도 점이 그 축 둘레를 돌지 않습니다. 포즈 또는 읽음값에서 식별하십시오</translation>
+    </message>
+    <message>
+        <source>hold it back</source>
+        <translation>점검용으로 남기기</translation>
+    </message>
+    <message>
+        <source>joint %1 slides: without its limits there is no range over which poses could be simulated</source>
+        <translation>관절 %1은(는) 미끄럼 관절입니다. 한계가 없으면 포즈를 시뮬레이션할 범위가 없습니다</translation>
+    </message>
+    <message>
+        <source>%1 of %2 not decided</source>
+        <translation>%2개 중 %1개 미판정</translation>
+    </message>
+    <message>
+        <source>%1 of %2 not met, %3 not decided</source>
+        <translation>%2개 중 %1개 미충족, %3개 미판정</translation>
+    </message>
+    <message>
+        <source>Decisions: %1</source>
+        <translation>판정: %1</translation>
+    </message>
+    <message>
+        <source>Sheet of a measurement</source>
+        <translation>측정 결과표</translation>
+    </message>
+    <message>
+        <source>Of %1 quantities that are stated %2 have no certificate; they are assumed: %3.</source>
+        <translation>제시된 양 %1개 중 %2개에 성적서가 없어 그 값은 가정한 것입니다: %3.</translation>
+    </message>
+    <message>
+        <source>joint %1 is moved along by another, which files of this kind cannot state</source>
+        <translation>관절 %1은(는) 다른 관절에 연동되며, 이런 종류의 파일은 이를 나타낼 수 없습니다</translation>
+    </message>
+    <message>
+        <source>%1 has figures of %2 (%3)</source>
+        <translation>%1에 %2(%3)의 수치가 있음</translation>
+    </message>
+    <message>
+        <source>%1 more have figures of a document among these: they follow when it is amended.</source>
+        <translation>그 밖에 %1개에 이 문서들 가운데 하나의 수치가 있습니다. 그 문서를 수정하면 뒤따라 수정합니다.</translation>
+    </message>
+    <message>
+        <source>Documents that follow</source>
+        <translation>뒤따라 수정할 문서</translation>
+    </message>
+    <message>
+        <source>sight with an outlier</source>
+        <translation>이상값이 있는 시준선</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -21608,6 +21712,22 @@ sample 1; 2; 3 weights 2; 5; 2 (그대로 뽑음), histogram 0; 1; 2 weights 5; 
     <message>
         <source>Show the Field</source>
         <translation>필드 보기</translation>
+    </message>
+    <message>
+        <source>not met: %1 of %2</source>
+        <translation>미충족: %2개 중 %1개</translation>
+    </message>
+    <message>
+        <source>not decided: %1 of %2</source>
+        <translation>미판정: %2개 중 %1개</translation>
+    </message>
+    <message>
+        <source>met</source>
+        <translation>충족</translation>
+    </message>
+    <message>
+        <source>all %1 met</source>
+        <translation>%1개 모두 충족</translation>
     </message>
 </context>
 <context>
@@ -22779,6 +22899,10 @@ sample 1; 2; 3 weights 2; 5; 2 (그대로 뽑음), histogram 0; 1; 2 weights 5; 
         <source>Evaluation of the set-up</source>
         <translation>측정 구성의 평가</translation>
     </message>
+    <message>
+        <source>Change of a reading where its residual stands</source>
+        <translation>잔차가 있는 곳에서 읽음값 변경</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::EvaluationView</name>
@@ -22916,6 +23040,14 @@ It says “not stated” in these places. They are fields of the project&apos;s 
     <message>
         <source>Ex&amp;port</source>
         <translation>내보내기(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;Sheet as PDF …</source>
+        <translation>PDF 결과표(&amp;S) …</translation>
+    </message>
+    <message>
+        <source>Export Sheet</source>
+        <translation>결과표 내보내기</translation>
     </message>
 </context>
 <context>
@@ -23293,10 +23425,6 @@ It says “not stated” in these places. They are fields of the project&apos;s 
         <translation>성적서에 달려 있는 것</translation>
     </message>
     <message>
-        <source>Not evaluated</source>
-        <translation>평가하지 않음</translation>
-    </message>
-    <message>
         <source>New Figures</source>
         <translation>새 수치</translation>
     </message>
@@ -23387,6 +23515,10 @@ It says “not stated” in these places. They are fields of the project&apos;s 
     <message>
         <source>Both before and after by the law of propagation.</source>
         <translation>이전과 이후 모두 전파 법칙에 따릅니다.</translation>
+    </message>
+    <message>
+        <source>Not evaluated, and what follows</source>
+        <translation>평가하지 않은 것과 뒤따라 수정할 문서</translation>
     </message>
 </context>
 <context>
@@ -24978,10 +25110,6 @@ It is used by: %1. They will have an error until they use something else.</sourc
         <translation>문서</translation>
     </message>
     <message>
-        <source>What is shown: the report, or the calibration certificate</source>
-        <translation>표시할 것: 보고서 또는 교정성적서</translation>
-    </message>
-    <message>
         <source>Report</source>
         <translation>보고서</translation>
     </message>
@@ -25044,6 +25172,18 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>Being made …</source>
         <translation>만드는 중 …</translation>
+    </message>
+    <message>
+        <source>The document that is shown: the report, the calibration certificate, or a sheet of two pages for each analysis</source>
+        <translation>표시되는 문서: 보고서, 교정 성적서, 또는 분석마다 두 쪽인 결과표</translation>
+    </message>
+    <message>
+        <source>Sheet</source>
+        <translation>결과표</translation>
+    </message>
+    <message>
+        <source>The sheet</source>
+        <translation>결과표</translation>
     </message>
 </context>
 <context>

@@ -5675,10 +5675,6 @@
         <translation>Linhas que são mantidas</translation>
     </message>
     <message>
-        <source>row</source>
-        <translation>linha</translation>
-    </message>
-    <message>
         <source>fixed</source>
         <translation>fixa</translation>
     </message>
@@ -8197,10 +8193,6 @@
     <message>
         <source>at the solution the unknowns cannot be told apart; hold one of those that the table of observability names</source>
         <translation>na solução as incógnitas não podem ser distinguidas; fixe uma das que a tabela de observabilidade nomeia</translation>
-    </message>
-    <message>
-        <source>joint %1 slides: only arms whose joints turn are identified; take an arm without it, as it stands during the measurement</source>
-        <translation>a junta %1 desliza: só se identificam braços cujas juntas giram; tome um braço sem ela, tal como está durante a medição</translation>
     </message>
     <message>
         <source>the fit has %1 poses; it needs three or more, and about twenty to tell all parameters</source>
@@ -14335,10 +14327,6 @@ nu 18 atrás de qualquer um deles: graus de liberdade</translation>
     <message>
         <source>plane</source>
         <translation>plano</translation>
-    </message>
-    <message>
-        <source>What is known of x and y: unknown; unknown, and what no reading tells is taken from this point and others like it (free network); fixed without uncertainty; stated with u.</source>
-        <translation>O que se sabe de x e y: incógnitas; incógnitas, e o que nenhuma leitura determina é tomado deste ponto e de outros como ele (rede livre); fixas, sem incerteza; declaradas com u.</translation>
     </message>
     <message>
         <source>unknown, of the datum</source>
@@ -20916,6 +20904,122 @@ nu 18 atrás de qualquer um deles: graus de liberdade</translation>
         <source>nominal robot</source>
         <translation>robô nominal</translation>
     </message>
+    <message>
+        <source>What is known of x and y: unknown; unknown, and what no reading tells is taken from this point and others like it (free network); fixed without uncertainty; stated with u. For a datum by three, two and one coordinates (3-2-1) one of the two is fixed by itself.</source>
+        <translation>O que se sabe de x e y: incógnitas; incógnitas, e o que nenhuma leitura determina é tomado deste ponto e de outros como ele (rede livre); fixas, sem incerteza; declaradas com u. Para um datum por três, duas e uma coordenadas (3-2-1), fixa-se só uma das duas.</translation>
+    </message>
+    <message>
+        <source>x fixed, y unknown</source>
+        <translation>x fixa, y incógnita</translation>
+    </message>
+    <message>
+        <source>y fixed, x unknown</source>
+        <translation>y fixa, x incógnita</translation>
+    </message>
+    <message>
+        <source>moved by</source>
+        <translation>arrastada por</translation>
+    </message>
+    <message>
+        <source>Number of another joint whose travel moves this one along: where joint 3 turns by what joints 2 and 3 read, its 2. Empty: none.</source>
+        <translation>Número de outra junta cujo curso arrasta esta: onde a junta 3 gira o que as juntas 2 e 3 leem, nela consta 2. Vazio: nenhuma.</translation>
+    </message>
+    <message>
+        <source>share</source>
+        <translation>parcela</translation>
+    </message>
+    <message>
+        <source>By which part of that travel it is moved along, with its sign; empty: 1.</source>
+        <translation>Em que parcela desse curso ela é arrastada, com seu sinal; vazio: 1.</translation>
+    </message>
+    <message>
+        <source>it has too many components for a linear part</source>
+        <translation>tem componentes demais para uma parte linear</translation>
+    </message>
+    <message>
+        <source>further components of %1</source>
+        <translation>outras componentes de %1</translation>
+    </message>
+    <message>
+        <source>further components</source>
+        <translation>outras componentes</translation>
+    </message>
+    <message>
+        <source>leave out</source>
+        <translation>omitir</translation>
+    </message>
+    <message>
+        <source>use again</source>
+        <translation>usar de novo</translation>
+    </message>
+    <message>
+        <source>leave it out</source>
+        <translation>omiti-la</translation>
+    </message>
+    <message>
+        <source>say which joint moves joint %1 along</source>
+        <translation>declare qual junta arrasta a junta %1</translation>
+    </message>
+    <message>
+        <source>joint %1 does not move itself along</source>
+        <translation>a junta %1 não arrasta a si mesma</translation>
+    </message>
+    <message>
+        <source>joints %1 and %2: only joints that turn move each other along</source>
+        <translation>juntas %1 e %2: só juntas que giram arrastam umas às outras</translation>
+    </message>
+    <message>
+        <source>joint %1 is moved along by another, so that a joint that turns alone does not lead a point round its axis: identify it from poses or readings</source>
+        <translation>a junta %1 é arrastada por outra, de modo que uma junta que gira sozinha não leva um ponto em torno de seu eixo: identifique-a por poses ou leituras</translation>
+    </message>
+    <message>
+        <source>hold it back</source>
+        <translation>reservar</translation>
+    </message>
+    <message>
+        <source>joint %1 slides: without its limits there is no range over which poses could be simulated</source>
+        <translation>a junta %1 desliza: sem seus limites não há faixa em que poses possam ser simuladas</translation>
+    </message>
+    <message>
+        <source>%1 of %2 not decided</source>
+        <translation>%1 de %2 não decididos</translation>
+    </message>
+    <message>
+        <source>%1 of %2 not met, %3 not decided</source>
+        <translation>%1 de %2 não cumpridos, %3 não decididos</translation>
+    </message>
+    <message>
+        <source>Decisions: %1</source>
+        <translation>Decisões: %1</translation>
+    </message>
+    <message>
+        <source>Sheet of a measurement</source>
+        <translation>Folha de uma medição</translation>
+    </message>
+    <message>
+        <source>Of %1 quantities that are stated %2 have no certificate; they are assumed: %3.</source>
+        <translation>De %1 grandezas declaradas, %2 não têm certificado; são supostas: %3.</translation>
+    </message>
+    <message>
+        <source>joint %1 is moved along by another, which files of this kind cannot state</source>
+        <translation>a junta %1 é arrastada por outra, o que arquivos deste tipo não podem declarar</translation>
+    </message>
+    <message>
+        <source>%1 has figures of %2 (%3)</source>
+        <translation>%1 tem números de %2 (%3)</translation>
+    </message>
+    <message>
+        <source>%1 more have figures of a document among these: they follow when it is amended.</source>
+        <translation>Mais %1 têm números de um destes documentos: devem segui-lo quando for emendado.</translation>
+    </message>
+    <message>
+        <source>Documents that follow</source>
+        <translation>Documentos derivados</translation>
+    </message>
+    <message>
+        <source>sight with an outlier</source>
+        <translation>visada com um valor atípico</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -21609,6 +21713,22 @@ nu 18 atrás de qualquer um deles: graus de liberdade</translation>
     <message>
         <source>Show the Field</source>
         <translation>Mostrar o campo</translation>
+    </message>
+    <message>
+        <source>not met: %1 of %2</source>
+        <translation>não cumpridos: %1 de %2</translation>
+    </message>
+    <message>
+        <source>not decided: %1 of %2</source>
+        <translation>não decididos: %1 de %2</translation>
+    </message>
+    <message>
+        <source>met</source>
+        <translation>cumprido</translation>
+    </message>
+    <message>
+        <source>all %1 met</source>
+        <translation>todos os %1 cumpridos</translation>
     </message>
 </context>
 <context>
@@ -22782,6 +22902,10 @@ nu 18 atrás de qualquer um deles: graus de liberdade</translation>
         <source>Evaluation of the set-up</source>
         <translation>Avaliação da configuração</translation>
     </message>
+    <message>
+        <source>Change of a reading where its residual stands</source>
+        <translation>Mudança de uma leitura junto ao seu resíduo</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::EvaluationView</name>
@@ -22919,6 +23043,14 @@ Nesses lugares ele diz “não declarado”. São campos da página do projeto.<
     <message>
         <source>Ex&amp;port</source>
         <translation>E&amp;xportar</translation>
+    </message>
+    <message>
+        <source>&amp;Sheet as PDF …</source>
+        <translation>&amp;Folha em PDF …</translation>
+    </message>
+    <message>
+        <source>Export Sheet</source>
+        <translation>Exportar folha</translation>
     </message>
 </context>
 <context>
@@ -23297,10 +23429,6 @@ Nesses lugares ele diz “não declarado”. São campos da página do projeto.<
         <translation>O que depende de um certificado</translation>
     </message>
     <message>
-        <source>Not evaluated</source>
-        <translation>Não avaliado</translation>
-    </message>
-    <message>
         <source>New Figures</source>
         <translation>Números novos</translation>
     </message>
@@ -23391,6 +23519,10 @@ Nesses lugares ele diz “não declarado”. São campos da página do projeto.<
     <message>
         <source>Both before and after by the law of propagation.</source>
         <translation>Antes e depois pela lei de propagação.</translation>
+    </message>
+    <message>
+        <source>Not evaluated, and what follows</source>
+        <translation>Não avaliado, e documentos derivados</translation>
     </message>
 </context>
 <context>
@@ -24982,10 +25114,6 @@ It is used by: %1. They will have an error until they use something else.</sourc
         <translation>Documento</translation>
     </message>
     <message>
-        <source>What is shown: the report, or the calibration certificate</source>
-        <translation>O que é mostrado: o relatório, ou o certificado de calibração</translation>
-    </message>
-    <message>
         <source>Report</source>
         <translation>Relatório</translation>
     </message>
@@ -25048,6 +25176,18 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>Being made …</source>
         <translation>em preparação …</translation>
+    </message>
+    <message>
+        <source>The document that is shown: the report, the calibration certificate, or a sheet of two pages for each analysis</source>
+        <translation>O documento que é mostrado: o relatório, o certificado de calibração ou uma folha de duas páginas por análise</translation>
+    </message>
+    <message>
+        <source>Sheet</source>
+        <translation>Folha</translation>
+    </message>
+    <message>
+        <source>The sheet</source>
+        <translation>A folha</translation>
     </message>
 </context>
 <context>

@@ -5674,10 +5674,6 @@
         <translation>保留的行</translation>
     </message>
     <message>
-        <source>row</source>
-        <translation>行</translation>
-    </message>
-    <message>
         <source>fixed</source>
         <translation>固定</translation>
     </message>
@@ -8196,10 +8192,6 @@
     <message>
         <source>at the solution the unknowns cannot be told apart; hold one of those that the table of observability names</source>
         <translation>在解处不能区分各未知数；请固定可观测性表中所列者之一</translation>
-    </message>
-    <message>
-        <source>joint %1 slides: only arms whose joints turn are identified; take an arm without it, as it stands during the measurement</source>
-        <translation>关节 %1 是移动关节：只辨识关节均转动的机械臂；请取不含它的机械臂，保持测量时的状态</translation>
     </message>
     <message>
         <source>the fit has %1 poses; it needs three or more, and about twenty to tell all parameters</source>
@@ -14334,10 +14326,6 @@ sample 1; 2; 3 weights 2; 5; 2（按原样抽取），histogram 0; 1; 2 weights 
     <message>
         <source>plane</source>
         <translation>平面</translation>
-    </message>
-    <message>
-        <source>What is known of x and y: unknown; unknown, and what no reading tells is taken from this point and others like it (free network); fixed without uncertainty; stated with u.</source>
-        <translation>x 和 y 的已知情况：未知；未知，且读数无法确定的部分取自此点及其他同类点（自由网）；固定，无不确定度；以 u 给出。</translation>
     </message>
     <message>
         <source>unknown, of the datum</source>
@@ -20915,6 +20903,122 @@ sample 1; 2; 3 weights 2; 5; 2（按原样抽取），histogram 0; 1; 2 weights 
         <source>nominal robot</source>
         <translation>标称机器人</translation>
     </message>
+    <message>
+        <source>What is known of x and y: unknown; unknown, and what no reading tells is taken from this point and others like it (free network); fixed without uncertainty; stated with u. For a datum by three, two and one coordinates (3-2-1) one of the two is fixed by itself.</source>
+        <translation>x 和 y 的已知情况：未知；未知，且读数无法确定的部分取自此点及其他同类点（自由网）；固定，无不确定度；以 u 给出。若基准由三个、两个和一个坐标确定（3-2-1），则可单独固定两者之一。</translation>
+    </message>
+    <message>
+        <source>x fixed, y unknown</source>
+        <translation>x 固定，y 未知</translation>
+    </message>
+    <message>
+        <source>y fixed, x unknown</source>
+        <translation>y 固定，x 未知</translation>
+    </message>
+    <message>
+        <source>moved by</source>
+        <translation>带动关节</translation>
+    </message>
+    <message>
+        <source>Number of another joint whose travel moves this one along: where joint 3 turns by what joints 2 and 3 read, its 2. Empty: none.</source>
+        <translation>其行程带动此关节的另一关节的编号：若关节 3 的转动量由关节 2 和 3 的读数共同决定，则关节 3 处填 2。留空：无。</translation>
+    </message>
+    <message>
+        <source>share</source>
+        <translation>比例</translation>
+    </message>
+    <message>
+        <source>By which part of that travel it is moved along, with its sign; empty: 1.</source>
+        <translation>被带动的量占该行程的比例，带符号；留空：1。</translation>
+    </message>
+    <message>
+        <source>it has too many components for a linear part</source>
+        <translation>分量过多，无法使用线性部分</translation>
+    </message>
+    <message>
+        <source>further components of %1</source>
+        <translation>%1 的其余分量</translation>
+    </message>
+    <message>
+        <source>further components</source>
+        <translation>其余分量</translation>
+    </message>
+    <message>
+        <source>leave out</source>
+        <translation>略去</translation>
+    </message>
+    <message>
+        <source>use again</source>
+        <translation>重新使用</translation>
+    </message>
+    <message>
+        <source>leave it out</source>
+        <translation>将其略去</translation>
+    </message>
+    <message>
+        <source>say which joint moves joint %1 along</source>
+        <translation>请指明哪个关节带动关节 %1</translation>
+    </message>
+    <message>
+        <source>joint %1 does not move itself along</source>
+        <translation>关节 %1 不能带动自身</translation>
+    </message>
+    <message>
+        <source>joints %1 and %2: only joints that turn move each other along</source>
+        <translation>关节 %1 和 %2：只有转动关节才能相互带动</translation>
+    </message>
+    <message>
+        <source>joint %1 is moved along by another, so that a joint that turns alone does not lead a point round its axis: identify it from poses or readings</source>
+        <translation>关节 %1 由另一关节带动，因此单独转动一个关节时，点并不绕其轴运动：请由位姿或读数辨识</translation>
+    </message>
+    <message>
+        <source>hold it back</source>
+        <translation>留作检验</translation>
+    </message>
+    <message>
+        <source>joint %1 slides: without its limits there is no range over which poses could be simulated</source>
+        <translation>关节 %1 是移动关节：没有限位就没有可用来模拟位姿的范围</translation>
+    </message>
+    <message>
+        <source>%1 of %2 not decided</source>
+        <translation>%2 项中有 %1 项未判定</translation>
+    </message>
+    <message>
+        <source>%1 of %2 not met, %3 not decided</source>
+        <translation>%2 项中有 %1 项不满足，%3 项未判定</translation>
+    </message>
+    <message>
+        <source>Decisions: %1</source>
+        <translation>判定：%1</translation>
+    </message>
+    <message>
+        <source>Sheet of a measurement</source>
+        <translation>测量结果表</translation>
+    </message>
+    <message>
+        <source>Of %1 quantities that are stated %2 have no certificate; they are assumed: %3.</source>
+        <translation>给出的 %1 个量中有 %2 个没有证书；它们为假定值：%3。</translation>
+    </message>
+    <message>
+        <source>joint %1 is moved along by another, which files of this kind cannot state</source>
+        <translation>关节 %1 由另一关节带动，这类文件不能表示这一点</translation>
+    </message>
+    <message>
+        <source>%1 has figures of %2 (%3)</source>
+        <translation>%1 含有 %2（%3）的数值</translation>
+    </message>
+    <message>
+        <source>%1 more have figures of a document among these: they follow when it is amended.</source>
+        <translation>另有 %1 个含有这些文件之一的数值：该文件修订后，它们须随之修订。</translation>
+    </message>
+    <message>
+        <source>Documents that follow</source>
+        <translation>随之修订的文件</translation>
+    </message>
+    <message>
+        <source>sight with an outlier</source>
+        <translation>有离群值的视线</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -21608,6 +21712,22 @@ sample 1; 2; 3 weights 2; 5; 2（按原样抽取），histogram 0; 1; 2 weights 
     <message>
         <source>Show the Field</source>
         <translation>显示字段</translation>
+    </message>
+    <message>
+        <source>not met: %1 of %2</source>
+        <translation>不满足：%2 项中有 %1 项</translation>
+    </message>
+    <message>
+        <source>not decided: %1 of %2</source>
+        <translation>未判定：%2 项中有 %1 项</translation>
+    </message>
+    <message>
+        <source>met</source>
+        <translation>满足</translation>
+    </message>
+    <message>
+        <source>all %1 met</source>
+        <translation>全部 %1 项满足</translation>
     </message>
 </context>
 <context>
@@ -22779,6 +22899,10 @@ sample 1; 2; 3 weights 2; 5; 2（按原样抽取），histogram 0; 1; 2 weights 
         <source>Evaluation of the set-up</source>
         <translation>测量设置的评定</translation>
     </message>
+    <message>
+        <source>Change of a reading where its residual stands</source>
+        <translation>在残差处更改读数</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::EvaluationView</name>
@@ -22916,6 +23040,14 @@ It says “not stated” in these places. They are fields of the project&apos;s 
     <message>
         <source>Ex&amp;port</source>
         <translation>导出(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;Sheet as PDF …</source>
+        <translation>结果表为 PDF(&amp;S) …</translation>
+    </message>
+    <message>
+        <source>Export Sheet</source>
+        <translation>导出结果表</translation>
     </message>
 </context>
 <context>
@@ -23293,10 +23425,6 @@ It says “not stated” in these places. They are fields of the project&apos;s 
         <translation>取决于证书的内容</translation>
     </message>
     <message>
-        <source>Not evaluated</source>
-        <translation>未评定</translation>
-    </message>
-    <message>
         <source>New Figures</source>
         <translation>新数值</translation>
     </message>
@@ -23387,6 +23515,10 @@ It says “not stated” in these places. They are fields of the project&apos;s 
     <message>
         <source>Both before and after by the law of propagation.</source>
         <translation>前后均按传播律。</translation>
+    </message>
+    <message>
+        <source>Not evaluated, and what follows</source>
+        <translation>未评定的内容，以及随之修订的文件</translation>
     </message>
 </context>
 <context>
@@ -24978,10 +25110,6 @@ It is used by: %1. They will have an error until they use something else.</sourc
         <translation>文档</translation>
     </message>
     <message>
-        <source>What is shown: the report, or the calibration certificate</source>
-        <translation>显示内容：报告或校准证书</translation>
-    </message>
-    <message>
         <source>Report</source>
         <translation>报告</translation>
     </message>
@@ -25044,6 +25172,18 @@ It is used by: %1. They will have an error until they use something else.</sourc
     <message>
         <source>Being made …</source>
         <translation>正在生成…</translation>
+    </message>
+    <message>
+        <source>The document that is shown: the report, the calibration certificate, or a sheet of two pages for each analysis</source>
+        <translation>所显示的文档：报告、校准证书，或每个分析两页的结果表</translation>
+    </message>
+    <message>
+        <source>Sheet</source>
+        <translation>结果表</translation>
+    </message>
+    <message>
+        <source>The sheet</source>
+        <translation>结果表</translation>
     </message>
 </context>
 <context>

@@ -6,6 +6,7 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QMenu>
+#include <QToolTip>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -80,6 +81,11 @@ TableEditor::TableEditor(const FieldSpec& field, const FieldContext& context, QW
                     view_->horizontalHeader()->mapToGlobal(at));
     });
     connect(embed_, &QPushButton::clicked, model_, &SetupTableModel::embed);
+    connect(view_, &SpreadsheetView::edit_refused, this, [this](const QModelIndex& cell) {
+        if (!model_->is_linked()) return;
+        const QPoint below = view_->visualRect(cell).bottomLeft();
+        QToolTip::showText(view_->viewport()->mapToGlobal(below), embed_->toolTip(), view_);
+    });
     connect(view_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
             [this](const QModelIndex& cell) {
                 if (cell.isValid()) emit part_selected(QStringLiteral("/rows/%1").arg(cell.row()));

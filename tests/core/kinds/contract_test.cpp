@@ -258,7 +258,7 @@ TEST_P(Contract, SensitivitiesAreTheJacobianWithoutItsZeros) {
 }
 
 TEST_P(Contract, SensitivitiesRowByRowAreAllRows) {
-    for (const Analysis& analysis : analyses_of(GetParam())) {
+    for (const Analysis& analysis : analyses_of(*GetParam())) {
         const std::vector<double> x = estimates(analysis.inputs());
         const auto source = analysis.model().sensitivity_source(x);
         if (!source) continue;
@@ -278,9 +278,9 @@ TEST_P(Contract, SensitivitiesRowByRowAreAllRows) {
 
 TEST_P(Contract, VerdictsOfTablesAreDeclared) {
     bool any = false;
-    for (const Analysis& analysis : analyses_of(GetParam()))
+    for (const Analysis& analysis : analyses_of(*GetParam()))
         any = any || !decisions_in(analysis.model().evaluation()).empty();
-    EXPECT_EQ(any, GetParam().decides);
+    EXPECT_EQ(any, GetParam()->decides);
 }
 
 TEST_P(Contract, MonteCarloAgreesWithTheLawOfPropagationForSmallUncertainties) {

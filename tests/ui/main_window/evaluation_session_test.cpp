@@ -98,7 +98,7 @@ TEST_F(EvaluationSession, AReadingIsLeftOutWhereItsResidualStands) {
     ASSERT_GE(at, 0) << "the reading with the largest |w| offers it";
     const QUrl link(html.mid(at, html.indexOf(QLatin1Char('"'), at) - at));
     const auto readings = [&]() -> const SetupTable& {
-        const Setup& setup = window_->document().project().analyses.front().setup;
+        const covaria::Setup& setup = window_->document().project().analyses.front().setup;
         return std::get<SetupTable>(setup.values.at("readings"));
     };
     const SetupTable before = readings();
@@ -133,8 +133,8 @@ TEST_F(EvaluationSession, AResidualLeadsToItsReading) {
     ASSERT_NE(view, nullptr);
     ASSERT_TRUE(wait_for_text(*view, QStringLiteral("Residuals of the readings")));
     QStringList places;
-    connect(&window_->results(), &ResultsPane::place_wanted, view,
-            [&](const QString& place) { places << place; });
+    QObject::connect(&window_->results(), &ResultsPane::place_wanted, view,
+                     [&](const QString& place) { places << place; });
     emit view->text().anchorClicked(QUrl(QStringLiteral("place:/readings/rows/4")));
     EXPECT_EQ(places, QStringList(QStringLiteral("/analyses/0/setup/readings/rows/4")));
     emit view->text().anchorClicked(QUrl(QStringLiteral("https://example.org")));

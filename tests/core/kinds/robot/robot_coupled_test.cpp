@@ -6,6 +6,7 @@
 
 #include "core/kinds/robot/inverse_kinematics.h"
 #include "core/kinds/robot/serial_robot.h"
+#include "core/propagation/engine.h"
 #include "tests/core/made.h"
 #include "tests/core/table_rows.h"
 
@@ -94,9 +95,9 @@ TEST(CoupledJoints, AreReachedByInverseKinematics) {
     const Made made("2, 1");
     const std::vector<double> q{.3, .5, -.6, .7, 1.1, -.4};
     const Eigen::Isometry3d X = link_frames(made.robot(), q).back();
-    const InverseSolution found =
-        solve_inverse(made.robot(), {.position = X.translation(), .orientation = Eigen::Matrix3d(X.linear())},
-                      std::vector<double>(6, 0.0));
+    const robot::InverseSolution found = robot::solve_inverse(
+        made.robot(), {.position = X.translation(), .orientation = Eigen::Matrix3d(X.linear())},
+        std::vector<double>(6, 0.0));
     ASSERT_EQ(found.q.size(), 6u);
     EXPECT_LT((link_frames(made.robot(), found.q).back().matrix() - X.matrix()).norm(), 1e-7);
 }

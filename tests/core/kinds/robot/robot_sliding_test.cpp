@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/kinds/robot/serial_robot.h"
+#include "core/propagation/engine.h"
 #include "tests/core/made.h"
 #include "tests/core/table_rows.h"
 
