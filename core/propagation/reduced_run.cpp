@@ -72,22 +72,19 @@ ReducedRun::ReducedRun(const TrialSource& source, const InputSet& inputs, const 
       law_(law),
       options_(options),
       source_(source),
-      plain_because_(source.outputs()) {
+      plain_because_(source.outputs(),
+                     law.condensed ? tell<"it has too many components for a linear part">() : Message()) {
     if (options.variance_reduction == VarianceReduction::sobol) {
         sobol_plan_ = *source.plan;
         sobol_plan_->use(std::make_shared<SobolPoints>(
             options.seed, inputs.components.size(), inputs.variance_estimates.size(), batch_of_run(options)));
         source_.plan = &*sobol_plan_;
-    } else {
+    } else if (!law.condensed) {
         offer_controls();
     }
 }
 
 void ReducedRun::offer_controls() {
-    if (law_.condensed) {
-        plain_because_.assign(source_.outputs(), tell<"it has too many components for a linear part">());
-        return;
-    }
     LinearTermMaker maker(inputs_, correlations_);
     std::vector<LinearRow> rows;
     for (std::size_t j = 0; j < source_.outputs(); ++j) {

@@ -297,13 +297,6 @@ void SpreadsheetView::currentChanged(const QModelIndex& current, const QModelInd
     QTableView::currentChanged(current, previous);
 }
 
-bool SpreadsheetView::edit(const QModelIndex& index, EditTrigger trigger, QEvent* event) {
-    const EditTriggers asked = DoubleClicked | AnyKeyPressed | EditKeyPressed;
-    if (asked.testFlag(trigger) && index.isValid() && !index.flags().testFlag(Qt::ItemIsEditable))
-        emit edit_refused(index);
-    return QTableView::edit(index, trigger, event);
-}
-
 void SpreadsheetView::closeEditor(QWidget* editor, QAbstractItemDelegate::EndEditHint hint) {
     const int typed = currentIndex().column();
     QTableView::closeEditor(editor, hint);

@@ -18,8 +18,6 @@ public:
     explicit SpreadsheetView(SpreadsheetModel& model, QWidget* parent = nullptr,
                              RowRoom room = RowRoom::inspector);
 
-    using QTableView::edit;
-
     QAction* copy_action() const { return copy_; }
     QAction* cut_action() const { return cut_; }
     QAction* paste_action() const { return paste_; }
@@ -39,18 +37,11 @@ public:
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
 
-signals:
-    /// Somebody types into a cell that takes nothing.
-    void edit_refused(const QModelIndex& cell);
-
 protected:
     void resizeEvent(QResizeEvent* event) override;
     bool focusNextPrevChild(bool next) override;
     void keyPressEvent(QKeyEvent* event) override;
     void contextMenuEvent(QContextMenuEvent* event) override;
-    bool edit(const QModelIndex& index, EditTrigger trigger, QEvent* event) override;
-    /// Letters are typed into cells and search for nothing.
-    void keyboardSearch(const QString& /*text*/) override {}
     void closeEditor(QWidget* editor, QAbstractItemDelegate::EndEditHint hint) override;
     QModelIndex moveCursor(CursorAction action, Qt::KeyboardModifiers modifiers) override;
     void currentChanged(const QModelIndex& current, const QModelIndex& previous) override;

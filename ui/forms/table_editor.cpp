@@ -6,7 +6,6 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QMenu>
-#include <QToolTip>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -14,6 +13,7 @@
 #include "ui/forms/complaint.h"
 #include "ui/forms/csv_import_dialog.h"
 #include "ui/forms/flow_layout.h"
+#include "ui/forms/read_only_hint.h"
 #include "ui/forms/row_tools.h"
 #include "ui/theme/core_text.h"
 #include "ui/theme/follow_font.h"
@@ -81,11 +81,7 @@ TableEditor::TableEditor(const FieldSpec& field, const FieldContext& context, QW
                     view_->horizontalHeader()->mapToGlobal(at));
     });
     connect(embed_, &QPushButton::clicked, model_, &SetupTableModel::embed);
-    connect(view_, &SpreadsheetView::edit_refused, this, [this](const QModelIndex& cell) {
-        if (!model_->is_linked()) return;
-        const QPoint below = view_->visualRect(cell).bottomLeft();
-        QToolTip::showText(view_->viewport()->mapToGlobal(below), embed_->toolTip(), view_);
-    });
+    new ReadOnlyHint(*view_, [this] { return model_->is_linked() ? embed_->toolTip() : QString(); });
     connect(view_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
             [this](const QModelIndex& cell) {
                 if (cell.isValid()) emit part_selected(QStringLiteral("/rows/%1").arg(cell.row()));

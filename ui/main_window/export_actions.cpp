@@ -68,9 +68,11 @@ ExportActions::ExportActions(Document& document, AnalysisRunner& runner, Dialogs
         for (QAction* action : {pdf_action, certificate_action, sheet_action})
             if (!action->shortcut().isEmpty()) return action->trigger();
     });
-    connect(pdf_action, &QAction::triggered, this, [this] { ask_report(ReportFormat::pdf); });
+    connect(pdf_action, &QAction::triggered, this,
+            [this] { ask_document(DocumentKind::report, ReportFormat::pdf); });
     connect(certificate_action, &QAction::triggered, this, &ExportActions::ask_certificate);
-    connect(sheet_action, &QAction::triggered, this, &ExportActions::ask_sheet);
+    connect(sheet_action, &QAction::triggered, this,
+            [this] { ask_document(DocumentKind::sheet, ReportFormat::pdf); });
     connect(&runner_, &AnalysisRunner::idle, this, [this] {
         if (!runner_.is_busy()) go_on();
     });
@@ -81,8 +83,10 @@ QMenu* ExportActions::make_menu(QWidget* parent) {
     auto* menu = new QMenu(tr("Ex&port"), parent);
     menu->setIcon(icon(QStringLiteral("export")));
     menu->addAction(pdf_action);
-    menu->addAction(tr("Report as &HTML …"), this, [this] { ask_report(ReportFormat::html); });
-    menu->addAction(tr("Report as &Markdown …"), this, [this] { ask_report(ReportFormat::markdown); });
+    menu->addAction(tr("Report as &HTML …"), this,
+                    [this] { ask_document(DocumentKind::report, ReportFormat::html); });
+    menu->addAction(tr("Report as &Markdown …"), this,
+                    [this] { ask_document(DocumentKind::report, ReportFormat::markdown); });
     menu->addSeparator();
     menu->addAction(certificate_action);
     menu->addAction(sheet_action);
@@ -140,14 +144,19 @@ QString ExportActions::without_words(const std::vector<std::string>& analyses) c
     return names.isEmpty() ? QString() : tr(", without %1: not up to date").arg(names.join(tr(", ")));
 }
 
-void ExportActions::ask_report(ReportFormat format) {
+void ExportActions::ask_document(DocumentKind kind, ReportFormat format) {
     finish_typing();
     if (!has_results_or_runs()) return;
     const QString ending = QString::fromLatin1(ending_of(format));
-    const QString file = dialogs_.file_to_save(tr("Export Report"), suggested(ending), filter_of(format));
+    const auto [title, name] = kind == DocumentKind::certificate
+                                   ? std::pair(tr("Export Certificate"), QStringLiteral("-certificate"))
+                               : kind == DocumentKind::sheet
+                                   ? std::pair(tr("Export Sheet"), QStringLiteral("-sheet"))
+                                   : std::pair(tr("Export Report"), QString());
+    const QString file = dialogs_.file_to_save(title, suggested(name + ending), filter_of(format));
     if (file.isEmpty()) return;
     remember_folder_of(file);
-    export_report_to(file.endsWith(ending) ? file : file + ending, format);
+    export_document_to(file.endsWith(ending) ? file : file + ending, kind, format);
 }
 
 void ExportActions::ask_certificate() {
@@ -162,24 +171,7 @@ void ExportActions::ask_certificate() {
         emit certificate_wanted();
         return;
     }
-    const QString file =
-        dialogs_.file_to_save(tr("Export Certificate"), suggested(QStringLiteral("-certificate.pdf")),
-                              filter_of(ReportFormat::pdf));
-    if (file.isEmpty()) return;
-    remember_folder_of(file);
-    const bool ends = file.endsWith(QStringLiteral(".pdf"));
-    export_certificate_to(ends ? file : file + QStringLiteral(".pdf"));
-}
-
-void ExportActions::ask_sheet() {
-    finish_typing();
-    if (!has_results_or_runs()) return;
-    const QString ending = QStringLiteral("-sheet.pdf");
-    const QString file =
-        dialogs_.file_to_save(tr("Export Sheet"), suggested(ending), filter_of(ReportFormat::pdf));
-    if (file.isEmpty()) return;
-    remember_folder_of(file);
-    export_sheet_to(file.endsWith(QStringLiteral(".pdf")) ? file : file + QStringLiteral(".pdf"));
+    ask_document(DocumentKind::certificate, ReportFormat::pdf);
 }
 
 void ExportActions::ask_tables() {
@@ -216,16 +208,8 @@ void ExportActions::export_for_others(const Writer& writer, const QString& file)
     when_finished([this, &writer, file] { write_for_others(writer, file); });
 }
 
-void ExportActions::export_report_to(const QString& file, ReportFormat format) {
-    when_finished([this, file, format] { write_document(DocumentKind::report, file, format); });
-}
-
-void ExportActions::export_certificate_to(const QString& file) {
-    when_finished([this, file] { write_document(DocumentKind::certificate, file, ReportFormat::pdf); });
-}
-
-void ExportActions::export_sheet_to(const QString& file) {
-    when_finished([this, file] { write_document(DocumentKind::sheet, file, ReportFormat::pdf); });
+void ExportActions::export_document_to(const QString& file, DocumentKind kind, ReportFormat format) {
+    when_finished([this, file, kind, format] { write_document(kind, file, format); });
 }
 
 void ExportActions::export_results_to(const QString& folder) {

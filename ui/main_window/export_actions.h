@@ -22,7 +22,6 @@ class ExportActions : public QObject {
     Q_OBJECT
 public:
     ExportActions(Document& document, AnalysisRunner& runner, Dialogs& dialogs, QObject* parent = nullptr);
-
     QMenu* make_menu(QWidget* parent);
     QAction* pdf_action;
     QAction* certificate_action;
@@ -31,17 +30,14 @@ public:
     /// The shortcut goes to the action that exports this document.
     void follow_view(DocumentKind kind);
 
-    void ask_report(ReportFormat format);
+    void ask_document(DocumentKind kind, ReportFormat format);
     /// Asks for a certificate, and says first what ISO/IEC 17025 requires and is missing.
     void ask_certificate();
-    void ask_sheet();
     void ask_tables();
     /// Asks for a file for other programs, by a writer of core/writers.
     void ask_for_others(const Writer& writer);
     void export_for_others(const Writer& writer, const QString& file);
-    void export_report_to(const QString& file, ReportFormat format);
-    void export_certificate_to(const QString& file);
-    void export_sheet_to(const QString& file);
+    void export_document_to(const QString& file, DocumentKind kind, ReportFormat format = ReportFormat::pdf);
     /// Writes results.json and the CSV tables into a folder.
     void export_results_to(const QString& folder);
     bool is_busy() const { return maker_.is_busy(); }

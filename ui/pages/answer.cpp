@@ -141,4 +141,21 @@ VerdictWords verdict_words(const UncertaintyResult& result, const Answer& answer
     return all;
 }
 
+VerdictWords decision_words(const std::vector<DecidedRow>& decisions) {
+    const auto count = [&](TestVerdict::Is is) {
+        return static_cast<int>(
+            std::ranges::count(decisions, is, [](const DecidedRow& row) { return row.verdict.is; }));
+    };
+    const auto all = static_cast<int>(decisions.size());
+    const int failed = count(TestVerdict::Is::not_met), open = count(TestVerdict::Is::open);
+    VerdictWords words{failed == 0 && open == 0, failed == 0 && open > 0, {}, {}};
+    if (failed > 0)
+        words.words = to_std(tr("not met: %1 of %2").arg(failed).arg(all));
+    else if (open > 0)
+        words.words = to_std(tr("not decided: %1 of %2").arg(open).arg(all));
+    else if (all > 0)
+        words.words = to_std(all == 1 ? tr("met") : tr("all %1 met").arg(all));
+    return words;
+}
+
 }  // namespace covaria::ui

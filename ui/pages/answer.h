@@ -9,6 +9,7 @@
 #include "core/text/display_units.h"
 #include "core/text/document_language.h"
 #include "core/text/text.h"
+#include "core/views/decisions.h"
 
 namespace covaria::ui {
 
@@ -26,12 +27,16 @@ Answer answer_of(const UncertaintyResult& result, std::size_t output, const Docu
 
 struct VerdictWords {
     bool met = true;
-    Text words;   ///< empty: nothing is required
-    Text detail;  ///< "U 61 ≤ 70 nm"; empty: there is not one output with a target uncertainty
+    bool is_open = false;  ///< nothing is missed, and something is not decided
+    Text words;            ///< empty: nothing is required
+    Text detail;           ///< "U 61 ≤ 70 nm"; empty: there is not one output with a target uncertainty
 };
 /// Verdict of the requirements on outputs that the answer is about: "not met: y, z".
 VerdictWords verdict_words(const UncertaintyResult& result, const Answer& answer,
                            const std::vector<RequirementResult>& verdicts, const DocumentLanguage& in,
                            const DisplayUnits& units);
+
+/// Verdict of a sheet of tests on itself: "not met: 2 of 12".
+VerdictWords decision_words(const std::vector<DecidedRow>& decisions);
 
 }  // namespace covaria::ui

@@ -194,30 +194,15 @@ void AnswerStrip::show_verdict(const AnalysisStatus& status) {
                    state_icon(RunState::out_of_date));
     const AnalysisEntry* entry = document_.project().find_analysis(to_std(selection_.analysis()));
     if (!entry || answer_.outputs.empty()) return verdict_->show_words(Chip::Kind::neutral, {});
-    const VerdictWords verdict =
+    VerdictWords verdict =
         verdict_words(*status.result, answer_, judge(*status.result, *entry), language_of_window(), units_);
+    // A sheet of tests decides about itself.
     if (verdict.words.empty() && status.prepared->descriptor->decides)
-        return show_decisions(decisions_in(status.prepared->model->evaluation()));
-    verdict_->show_words(verdict.met ? Chip::Kind::met : Chip::Kind::not_met, verdict.words, {},
-                         verdict.detail);
-}
-
-/// A sheet of tests decides about itself.
-void AnswerStrip::show_decisions(const std::vector<DecidedRow>& decisions) {
-    const auto count = [&](TestVerdict::Is is) {
-        return std::ranges::count(decisions, is, [](const DecidedRow& d) { return d.verdict.is; });
-    };
-    const auto all = static_cast<int>(decisions.size());
-    const auto failed = static_cast<int>(count(TestVerdict::Is::not_met)),
-               open = static_cast<int>(count(TestVerdict::Is::open));
-    const auto say = [&](Chip::Kind kind, const QString& words) {
-        verdict_->show_words(kind, Text(to_std(words)),
-                             kind == Chip::Kind::neutral ? QStringLiteral("help") : QString());
-    };
-    if (all == 0) return say(Chip::Kind::neutral, {});
-    if (failed > 0) return say(Chip::Kind::not_met, tr("not met: %1 of %2").arg(failed).arg(all));
-    if (open > 0) return say(Chip::Kind::neutral, tr("not decided: %1 of %2").arg(open).arg(all));
-    say(Chip::Kind::met, all == 1 ? tr("met") : tr("all %1 met").arg(all));
+        verdict = decision_words(decisions_in(status.prepared->model->evaluation()));
+    verdict_->show_words(verdict.met       ? Chip::Kind::met
+                         : verdict.is_open ? Chip::Kind::neutral
+                                           : Chip::Kind::not_met,
+                         verdict.words, verdict.is_open ? QStringLiteral("help") : QString(), verdict.detail);
 }
 
 void AnswerStrip::show_progress(const QString& id, const RunProgress& progress) {

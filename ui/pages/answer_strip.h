@@ -5,7 +5,6 @@
 #include <QWidget>
 
 #include "core/text/display_units.h"
-#include "core/views/decisions.h"
 #include "ui/document/document.h"
 #include "ui/document/selection.h"
 #include "ui/pages/answer.h"
@@ -58,7 +57,6 @@ private:
     void show_next_step();
     void show_way_to_error();
     void show_verdict(const AnalysisStatus& status);
-    void show_decisions(const std::vector<DecidedRow>& decisions);
     void show_progress(const QString& id, const RunProgress& progress);
     void give_way();
     QString state_words() const;

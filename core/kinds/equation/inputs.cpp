@@ -74,6 +74,10 @@ void credit(UncertaintyComponent& component, const Referred& instrument) {
     component.contributor_name = instrument.name;
 }
 
+Message nu_words(double nu) {
+    return Message::number(format_short(nu, 6));
+}
+
 class QuantityReader {
 public:
     QuantityReader(const StatedEquations& stated, Problems& problems)
@@ -179,8 +183,7 @@ private:
         else if (!is_new && first->second != nu)
             refuse(row, &StatedComponent::ensemble,
                    tell<"the members of ensemble '%1' have one and the same nu; it is %2 in the first, %3 "
-                        "here">(at(row).ensemble, Message::number(format_short(first->second, 6)),
-                                Message::number(format_short(nu, 6))));
+                        "here">(at(row).ensemble, nu_words(first->second), nu_words(nu)));
         else
             result_.inputs.rest_on_estimate("ensemble " + at(row).ensemble, index);
     }

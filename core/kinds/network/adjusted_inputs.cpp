@@ -1,5 +1,6 @@
 // Input quantities of "network adjustment": one for each reading, and for each stated coordinate; and the
 // places of its points and sights.
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -20,13 +21,16 @@ std::string group_of(const AdjustedNetwork& network, const AdjustedReading& read
     return network.figures[reading.figures.front()].instrument;
 }
 
-/// Whether each reading contradicts the others.
+/// Whether each reading contradicts the others, and not only because one that is further off pulls at it.
 std::vector<char> outliers_in(const AdjustedNetwork& network) {
-    std::vector<char> is_outlier(network.readings.size(), 0);
+    constexpr double by_another = 0.5;  // of the largest |w|
     const adjustment::Reliability& found = reliability_of(network);
+    double limit = adjustment::outlier_limit();
+    for (const adjustment::ReadingReliability& r : found.readings)
+        if (r.controlled) limit = std::max(limit, by_another * std::abs(r.w));
+    std::vector<char> is_outlier(network.readings.size(), 0);
     for (std::size_t i = 0; i < found.readings.size(); ++i)
-        is_outlier[i] =
-            found.readings[i].controlled && std::abs(found.readings[i].w) > adjustment::outlier_limit();
+        is_outlier[i] = found.readings[i].controlled && std::abs(found.readings[i].w) > limit;
     return is_outlier;
 }
 

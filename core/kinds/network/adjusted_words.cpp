@@ -108,6 +108,11 @@ Message part_names(const AdjustedNetwork& network, const std::vector<std::size_t
                                     : tell<"the part with %1">(names);
 }
 
+Message words_of_direction(const Eigen::Vector3d& d) {
+    const auto number = [](double along) { return Message::number(format_short(along, 2)); };
+    return tell<"the direction (%1, %2, %3)">(number(d.x()), number(d.y()), number(d.z()));
+}
+
 class OpenDirections {
 public:
     OpenDirections(const AdjustedNetwork& network, const adjustment::Adjustment& adjusted)
@@ -216,9 +221,7 @@ private:
         const Eigen::Vector3d d = displacement(p, move).normalized();
         for (Eigen::Index c = 0; c < 3; ++c)
             if (std::abs(d[c]) > 0.999) return Message(along_axes[static_cast<std::size_t>(c)]);
-        return tell<"the direction (%1, %2, %3)">(Message::number(format_short(d.x(), 2)),
-                                                  Message::number(format_short(d.y(), 2)),
-                                                  Message::number(format_short(d.z(), 2)));
+        return words_of_direction(d);
     }
 
     /// The moves of the part as a whole: along x, y, z, turns about x, y, z, scale; they move all of its

@@ -14,6 +14,31 @@ namespace covaria::pose_calibration {
 
 namespace {
 
+void refuse_unused(const Calibration& c, std::size_t row, StatedReadings StatedPose::*readings, std::size_t j,
+                   Problems& problems) {
+    const auto& joints = c.robot().joints();
+    const std::string place = fields().place(&Calibration::measured, row, readings, j);
+    if (j >= joints.size())
+        return problems.error(place,
+                              tell<"the robot has only %1 joints; leave %2 empty">(
+                                  joints.size(), fields().columns(&Calibration::measured).key(readings, j)));
+    if (joints[j].slides == (readings == &StatedPose::s)) return;
+    const std::string symbol = reading_symbol(c.robot(), j);
+    problems.error(place, joints[j].slides ? tell<"joint %1 slides: its reading is %2">(j + 1, symbol)
+                                           : tell<"joint %1 turns: its reading is %2">(j + 1, symbol));
+}
+
+/// Poses spread over the range of every joint need one.
+void refuse_without_range(const Calibration& c, Problems& problems) {
+    const auto& joints = c.robot().joints();
+    for (std::size_t j = 0; j < joints.size(); ++j)
+        if (joints[j].slides && !(std::isfinite(joints[j].low) && std::isfinite(joints[j].high)))
+            problems.error(
+                fields().place(&Calibration::nominal),
+                tell<"joint %1 slides: without its limits there is no range over which poses could "
+                     "be simulated">(j + 1));
+}
+
 class Reading {
 public:
     Reading(StatedCalibration stated, Problems& problems) : problems_(problems), c_(std::move(stated)) {}
@@ -64,12 +89,8 @@ private:
     /// of more poses are those of fewer.
     void simulate() {
         const auto& joints = c_.robot().joints();
-        for (std::size_t j = 0; j < joints.size(); ++j)
-            if (joints[j].slides && !(std::isfinite(joints[j].low) && std::isfinite(joints[j].high)))
-                return problems_.error(
-                    fields().place(&Calibration::nominal),
-                    tell<"joint %1 slides: without its limits there is no range over which "
-                         "poses could be simulated">(j + 1));
+        refuse_without_range(c_, problems_);
+        if (problems_.has_errors()) return;
         double g = 2.0;  // root of g^(n+1) = g + 1
         for (int k = 0; k < 40; ++k) g = std::pow(1.0 + g, 1.0 / static_cast<double>(joints.size() + 1));
         for (int k = 0; k < c_.pose_count; ++k) {
@@ -100,23 +121,10 @@ private:
             pose.q.push_back((joints[j].slides ? stated.s : stated.q)[j].value_or(joints[j].zero));
         for (std::size_t j = 0; j < most_joints; ++j)
             for (const auto readings : {&StatedPose::q, &StatedPose::s})
-                if ((stated.*readings)[j]) refuse_unused(row, readings, j);
+                if ((stated.*readings)[j]) refuse_unused(c_, row, readings, j, problems_);
         pose.p = stated.p;
         if (c_.with_orientation) read_orientation(stated.angles, pose);
         add_pose(std::move(pose));
-    }
-
-    void refuse_unused(std::size_t row, StatedReadings StatedPose::*readings, std::size_t j) {
-        const auto& joints = c_.robot().joints();
-        const std::string place = fields().place(&Calibration::measured, row, readings, j);
-        if (j >= joints.size())
-            return problems_.error(
-                place, tell<"the robot has only %1 joints; leave %2 empty">(
-                           joints.size(), fields().columns(&Calibration::measured).key(readings, j)));
-        if (joints[j].slides == (readings == &StatedPose::s)) return;
-        const std::string symbol = reading_symbol(c_.robot(), j);
-        problems_.error(place, joints[j].slides ? tell<"joint %1 slides: its reading is %2">(j + 1, symbol)
-                                                : tell<"joint %1 turns: its reading is %2">(j + 1, symbol));
     }
 
     void read_orientation(const std::array<std::optional<double>, 3>& angles, MeasuredPose& pose) {

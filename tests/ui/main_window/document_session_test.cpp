@@ -211,7 +211,7 @@ TEST_F(DocumentSession, AnExportWaitsForTheResultsAndTheTextsOfNow) {
     type_into("/certificate/number", QStringLiteral("N-77"));
     const QString file = folder_.filePath(QStringLiteral("now.pdf"));
     QSignalSpy finished(&window_->exports(), &ExportActions::finished);
-    window_->exports().export_certificate_to(file);
+    window_->exports().export_document_to(file, DocumentKind::certificate);
     ASSERT_TRUE(wait_for([&] { return !finished.empty(); }, 120'000));
     QProcess process;
     process.start(QStringLiteral("pdftotext"), {file, QStringLiteral("-")});
@@ -231,7 +231,7 @@ TEST_F(DocumentSession, TheReportHasWhatThePageOfTheProjectSays) {
     EXPECT_EQ(project().report, (ReportContents{{"from-artefacts"}, {"scene"}, false}));
     const QString ours = folder_.filePath(QStringLiteral("ours.pdf"));
     QSignalSpy finished(&window_->exports(), &ExportActions::finished);
-    window_->exports().export_report_to(ours, ReportFormat::pdf);
+    window_->exports().export_document_to(ours, DocumentKind::report, ReportFormat::pdf);
     ASSERT_TRUE(wait_for([&] { return !finished.empty(); }, 120'000));
     answer_.file_to_save = folder_.filePath(QStringLiteral("saved.covaria"));
     trigger(QStringLiteral("Save As"));

@@ -40,8 +40,12 @@ protected:
             ASSERT_TRUE(wait_for([&] { return !finished.empty(); }, 120'000));
             EXPECT_EQ(finished[0][1].toString(), QString());
         };
-        wait([&] { exports.export_report_to(folder + "/report.pdf", ReportFormat::pdf); });
-        wait([&] { exports.export_report_to(folder + "/report.html", ReportFormat::html); });
+        wait([&] {
+            exports.export_document_to(folder + "/report.pdf", DocumentKind::report, ReportFormat::pdf);
+        });
+        wait([&] {
+            exports.export_document_to(folder + "/report.html", DocumentKind::report, ReportFormat::html);
+        });
         wait([&] { exports.export_results_to(folder + "/results"); });
         for (const Writer& writer : writer_registry())
             if (writer.name == "xlsx")

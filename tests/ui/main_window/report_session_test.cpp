@@ -25,7 +25,7 @@ protected:
     /// Writes the report from the window and waits for it.
     void export_report(const QString& file, ReportFormat format) {
         QSignalSpy finished(&window_->exports(), &ExportActions::finished);
-        window_->exports().export_report_to(file, format);
+        window_->exports().export_document_to(file, DocumentKind::report, format);
         ASSERT_TRUE(wait_for([&] { return !finished.empty(); }, 120'000));
         EXPECT_EQ(finished[0][1].toString(), QString());
     }
@@ -154,7 +154,7 @@ TEST_F(ReportSession, APreviewIsNoResult) {
     EXPECT_TRUE(preview.contains(QStringLiteral("Preview"))) << "a table that is saved says what it is";
 
     const QString pdf = folder_.filePath(QStringLiteral("early.pdf"));
-    window_->exports().export_report_to(pdf, ReportFormat::pdf);
+    window_->exports().export_document_to(pdf, DocumentKind::report, ReportFormat::pdf);
     EXPECT_FALSE(window_->exports().is_busy()) << "the export waits";
     trigger(QStringLiteral("Stop"));
     ASSERT_TRUE(window_->runner().wait_until_idle(10'000));

@@ -14,7 +14,7 @@ TEST_F(Session, AReportIsExportedWithoutBlocking) {
     wait_until_idle();
     const QString file = folder_.filePath(QStringLiteral("report.pdf"));
     QSignalSpy finished(&window_->exports(), &ExportActions::finished);
-    window_->exports().export_report_to(file, ReportFormat::pdf);
+    window_->exports().export_document_to(file, DocumentKind::report, ReportFormat::pdf);
     EXPECT_FALSE(QFile::exists(file)) << "writing goes on in the background";
     ASSERT_TRUE(finished.wait(120'000));
     EXPECT_EQ(finished[0][1].toString(), QString());

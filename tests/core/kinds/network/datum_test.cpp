@@ -45,9 +45,9 @@ double distance(const AdjustedNetwork& network, const char* a, const char* b) {
 TEST(Datum, ByThreeTwoAndOneCoordinatesIsThatOfTheFreeNetworkMoved) {
     const Adjusted free(leaning_hall(CoordinateRole::datum, 0.0).stated);
     ASSERT_TRUE(free.network) << free.words();
-    for (const std::optional<double> approximate : {std::optional(0.05), std::optional<double>()}) {
+    for (const double approximate : {0.05, 0.3}) {
         const Adjusted held(by_three_two_one(approximate).stated);
-        ASSERT_TRUE(held.network) << held.words() << (approximate ? "approximate" : "without coordinates");
+        ASSERT_TRUE(held.network) << held.words();
         EXPECT_EQ(held.network->adjusted->defect(), 0u);
         EXPECT_EQ(held.network->adjusted->degrees_of_freedom(), free.network->adjusted->degrees_of_freedom());
         for (const auto& [a, b] : {std::pair("A", "B"), std::pair("P", "Q"), std::pair("S", "T"),
@@ -81,6 +81,12 @@ TEST(Elevations, AreZenithAnglesFromTheHorizon) {
     EXPECT_LT((a.network->state - b.network->state).cwiseAbs().maxCoeff(), 1e-12);
     EXPECT_GT((a.network->state - Adjusted(zenith.stated).network->state).cwiseAbs().maxCoeff(), 1e-7)
         << "the correlations count";
+}
+
+TEST(Datum, ByThreeTwoAndOneCoordinatesAsksForApproximateOnes) {
+    const Adjusted held(by_three_two_one({}).stated);
+    EXPECT_FALSE(held.network);
+    EXPECT_NE(held.words().find("state approximate coordinates"), std::string::npos) << held.words();
 }
 
 }  // namespace

@@ -104,7 +104,7 @@ TEST(CoupledJoints, AreReachedByInverseKinematics) {
 
 TEST(CoupledJoints, AreIdentifiedFromPosesAndLeadNoPointRoundTheirAxis) {
     const Made simulated("2, 1", R"({"id": "a", "model": "robot-calibration", "name": "a", "setup":
-      {"nominal": "arm", "data": "simulated", "pose_count": 40, "ball": {"position": [80, 60, 40], "unit": "mm"}}})");
+      {"nominal": "arm", "data": "simulated", "pose_count": 40, "ball": {"position": [80, 60, 40], "angles": [0, 0, 0], "lengthUnit": "mm", "angleUnit": "deg"}}})");
     ASSERT_TRUE(simulated.analysis) << simulated.words();
     const auto asset = simulated.analysis->model->as_asset("a");
     ASSERT_TRUE(offers<SerialRobotSource>(asset.get()));
