@@ -70,7 +70,8 @@ Result<ReadChoice> choice_of(const FileImport& request) {
                       .sheet = request.sheet,
                       .chosen = !request.reader.empty(),
                       .rows_left_out = {request.rows_left_out.begin(), request.rows_left_out.end()},
-                      .robot = {}};
+                      .robot = {},
+                      .beside = neighbours_of(request.file)};
     for (const std::string& cell : request.cells) {
         const std::size_t sign = cell.find('=');
         if (sign == std::string::npos || sign == 0)

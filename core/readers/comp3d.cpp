@@ -1,5 +1,6 @@
-// Comp3D (IGN): coordinates (.cor) with their standard deviations, observations (.obs) with theirs. Lengths
-// are in metres; the unit of angles stands in neither file, but in the settings of the computation.
+// Lists of Comp3D (IGN) that stand alone: coordinates (.cor) with their standard deviations, observations
+// (.obs) with theirs. Lengths are in metres; the unit of angles stands in neither file, but in the settings
+// of the computation.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,6 +10,8 @@
 #include "core/base/text_places.h"
 #include "core/base/utf8.h"
 #include "core/project/csv_reader.h"
+#include "core/readers/comp3d_lists.h"
+#include "core/readers/comp3d_survey.h"
 #include "core/readers/delimited_text.h"
 #include "core/readers/entry_texts.h"
 #include "core/readers/formats.h"
@@ -21,35 +24,17 @@ namespace covaria {
 
 namespace {
 
-/// A line without the comment behind its sign.
-std::string_view without_comment(std::string_view line) {
-    return line.substr(0, line.find('*'));
-}
-
-bool is_code(const std::string& cell) {
-    return cell == "-1" || (cell.size() == 1 && cell[0] >= '0' && cell[0] <= '9');
-}
-
 /// Whether a line of so many cells is one of: code name x y z [sx sy sz] [eta xi].
 bool is_width(std::size_t cells) {
     return cells == 5 || cells == 7 || cells == 8 || cells == 10;
 }
 
-/// Coordinates that a code constrains to their values; all others are approximate.
-std::string_view constrained_by(char code) {
-    switch (code) {
-        case '1':
-            return "xyz";
-        case '2':
-        case '7':
-        case '9':
-            return "xy";
-        case '3':
-        case '5':
-            return "z";
-        default:
-            return "";
-    }
+/// The axes whose coordinates a code constrains to their values; all others are approximate.
+std::string constrained_by(const Comp3dCode& code) {
+    std::string axes;
+    for (std::size_t i = 0; i < 3; ++i)
+        if (code.constrains(i)) axes += "xyz"[i];
+    return axes;
 }
 
 class CorReader {
@@ -58,14 +43,14 @@ public:
 
     Result<void> read_line(std::string_view line, int number) {
         if (line.find('*') != std::string_view::npos) ++comments_;
-        const std::vector<std::string> cells = blank_separated(without_comment(line));
+        const std::vector<std::string> cells = blank_separated(comp3d_content(line));
         if (cells.empty()) return {};
         if (cells[0].front() == '@') {
             proposals_.leave_out(number,
                                  tell<"a file that it includes: %1">(in_quotes(plain_name(cells[0]))));
             return {};
         }
-        if (!is_code(cells[0]))
+        if (!Comp3dCode::of(cells[0]))
             return refused_at(number, 1, tell<"the code of a point is expected, a digit">());
         if (cells[0] == "-1") {
             proposals_.leave_out(number, tell<"a point that is not to be used: %1">(
@@ -83,11 +68,12 @@ public:
 
     void finish() {
         for (const auto& [code, lines] : codes_)
-            proposals_.leave_out(
-                lines.first, tell<"standard deviations of %1 points of code %2: it constrains %3">(
-                                 lines.second, code,
-                                 constrained_by(code[0]).empty() ? tell<"none of their coordinates">()
-                                                                 : tell<"%1 only">(constrained_by(code[0]))));
+            proposals_.leave_out(lines.first,
+                                 tell<"standard deviations of %1 points of code %2: it constrains %3">(
+                                     lines.second, code,
+                                     constrained_by(*Comp3dCode::of(code)).empty()
+                                         ? tell<"none of their coordinates">()
+                                         : tell<"%1 only">(constrained_by(*Comp3dCode::of(code)))));
         if (deflections_ > 0)
             proposals_.leave_out(0, tell<"deflections of the vertical of %1 points">(deflections_));
         if (approximate_ > 0)
@@ -100,15 +86,14 @@ private:
     Result<void> add_point(const std::vector<std::string>& cells, int number) {
         ListedPoint point{.line = number, .name = cells[1]};
         const bool stated = cells.size() == 8 || cells.size() == 10;
-        const std::string_view constrained = constrained_by(cells[0][0]);
+        const std::string constrained = constrained_by(*Comp3dCode::of(cells[0]));
         for (std::size_t i = 2; i < cells.size(); ++i) {
             const auto value = csv_number(cells[i], false);
             if (!value)
                 return refused_at(number, static_cast<int>(i) + 1,
                                   tell<"%1 is not a number">(in_quotes(plain_name(cells[i]))));
             if (i < 5) point.p[i - 2] = *value;
-            if (i < 5 || i >= 8 || !stated || constrained.find("xyz"[i - 5]) == std::string_view::npos)
-                continue;
+            if (i < 5 || i >= 8 || !stated || constrained.find("xyz"[i - 5]) == std::string::npos) continue;
             if (*value >= 0.0)
                 point.u[i - 5] = *value;
             else
@@ -137,16 +122,18 @@ Recognition recognise_cor(std::string_view beginning, const std::string& file_na
     if (!file_name.ends_with(".cor") && !file_name.ends_with(".COR")) return Recognition::no;
     while (!beginning.empty()) {
         const std::size_t end = std::min(beginning.find('\n'), beginning.size());
-        const std::vector<std::string> cells = blank_separated(without_comment(beginning.substr(0, end)));
+        const std::vector<std::string> cells = blank_separated(comp3d_content(beginning.substr(0, end)));
         beginning.remove_prefix(std::min(end + 1, beginning.size()));
         if (cells.empty() || cells[0].front() == '@') continue;
-        const bool point = is_code(cells[0]) && (cells[0] == "-1" || is_width(cells.size()));
+        const bool point = Comp3dCode::of(cells[0]) && (cells[0] == "-1" || is_width(cells.size()));
         return point ? Recognition::certain : Recognition::no;
     }
     return Recognition::no;
 }
 
-Result<Proposals> read_cor(const std::string& text, const ReadChoice& choice) {
+}  // namespace
+
+Result<Proposals> read_comp3d_coordinates(const std::string& text, const ReadChoice& choice) {
     Proposals proposals{.title = without_ending(choice.file_name)};
     proposals.found.push_back(tell<"coordinates in metres">());
     if (choice.length_unit)
@@ -167,6 +154,8 @@ Result<Proposals> read_cor(const std::string& text, const ReadChoice& choice) {
     return proposals;
 }
 
+namespace {
+
 /// Observations between two points, one a line.
 class ObsReader {
 public:
@@ -176,7 +165,7 @@ public:
     }
 
     Result<void> read_line(std::string_view line, int number) {
-        const std::vector<std::string> cells = blank_separated(without_comment(line));
+        const std::vector<std::string> cells = blank_separated(comp3d_content(line));
         if (cells.empty()) return {};
         const auto code = cells[0].size() <= 3 ? csv_number(cells[0], false) : std::nullopt;
         if (cells[0].front() == '@' || (cells.size() > 2 && cells[2].front() == '@')) {
@@ -310,12 +299,9 @@ private:
     std::size_t beyond_ = 0;
 };
 
-Recognition recognise_obs(std::string_view, const std::string& file_name) {
-    return file_name.ends_with(".obs") || file_name.ends_with(".OBS") ? Recognition::certain
-                                                                      : Recognition::no;
-}
+}  // namespace
 
-Result<Proposals> read_obs(const std::string& text, const ReadChoice& choice) {
+Result<Proposals> read_comp3d_quantities(const std::string& text, const ReadChoice& choice) {
     ObsReader reader(choice);
     std::string_view rest = without_byte_order_mark(text);
     for (int number = 1; !rest.empty(); ++number) {
@@ -326,19 +312,6 @@ Result<Proposals> read_obs(const std::string& text, const ReadChoice& choice) {
     return reader.finish();
 }
 
-}  // namespace
-
-Reader comp3d_observations_reader() {
-    return {.name = "comp3d-obs",
-            .title = "Comp3D observations",
-            .pattern = "*.obs",
-            .takes =
-                "distances, height differences, angles with their standard deviations -> quantities of a "
-                "measurement equation",
-            .recognise = recognise_obs,
-            .read = read_obs};
-}
-
 Reader comp3d_reader() {
     return {.name = "comp3d",
             .title = "Comp3D coordinates",
@@ -346,7 +319,7 @@ Reader comp3d_reader() {
             .takes =
                 "code, name, x, y, z, standard deviations of coordinates that are constrained -> an artefact",
             .recognise = recognise_cor,
-            .read = read_cor};
+            .read = read_comp3d_coordinates};
 }
 
 }  // namespace covaria

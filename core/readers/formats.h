@@ -13,6 +13,7 @@ Reader gsi_reader();
 Reader gama_reader();
 Reader comp3d_reader();
 Reader comp3d_observations_reader();
+Reader comp3d_project_reader();
 Reader excel_budget_reader();
 Reader gum_workbench_reader();
 Reader suncal_reader();

@@ -13,6 +13,7 @@
 #include "core/base/unit.h"
 #include "core/kinds/robot/urdf.h"
 #include "core/project/project.h"
+#include "core/readers/neighbours.h"
 
 namespace covaria {
 
@@ -35,6 +36,7 @@ struct ReadChoice {
     std::map<std::string, std::string> cells = {};
     std::set<int> rows_left_out = {};  ///< numbers of rows of a workbook
     UrdfChoice robot = {};             ///< for a robot: its tip, joints that it does not have
+    Neighbours beside = {};            ///< files beside it, which it may name
 };
 
 /// Something of the file that is not taken over.

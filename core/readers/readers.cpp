@@ -53,6 +53,7 @@ const std::vector<Reader>& reader_registry() {
                                              gama_reader(),
                                              comp3d_reader(),
                                              comp3d_observations_reader(),
+                                             comp3d_project_reader(),
                                              excel_budget_reader(),
                                              gum_workbench_reader(),
                                              suncal_reader(),

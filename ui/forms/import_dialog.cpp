@@ -52,6 +52,7 @@ QString contradictions(const Proposals& proposals) {
 ImportDialog::ImportDialog(const QString& file, QWidget* parent)
     : QDialog(parent),
       file_(file),
+      beside_(neighbours_of(to_path(file))),
       readers_(new QComboBox(this)),
       sheets_(new QComboBox(this)),
       unit_(new QComboBox(this)),
@@ -165,6 +166,7 @@ const Reader* ImportDialog::reader() const {
 
 ReadChoice ImportDialog::choice() const {
     ReadChoice choice{.file_name = to_std(QFileInfo(file_).fileName())};
+    choice.beside = beside_;
     if (const QString unit = unit_->currentData().toString(); !unit.isEmpty())
         choice.length_unit = Unit::of(to_std(unit));
     for (int row = 0; row < units_->rowCount(); ++row) {
