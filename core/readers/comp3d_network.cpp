@@ -7,6 +7,8 @@
 #include "core/base/in_quotes.h"
 #include "core/base/text_places.h"
 #include "core/project/csv_reader.h"
+#include "core/readers/comp3d_readings.h"
+#include "core/readers/comp3d_subframes.h"
 #include "core/readers/covariance.h"
 #include "core/readers/entry_texts.h"
 
@@ -178,7 +180,11 @@ void Comp3dNetwork::tell_of_points() {
 
 bool Comp3dNetwork::propose(const std::string& title, const std::string& source) {
     take_points();
-    Comp3dReadings(survey_, points_, settings_, files_, proposals_, entry_).take_all();
+    const Comp3dGround ground(survey_, points_, settings_);
+    Comp3dFlatReadings readings(ground, settings_, files_, entry_);
+    Comp3dReadings(survey_, ground, settings_, files_, readings).take_all();
+    Comp3dSubframes(survey_, ground, settings_, files_, readings, entry_).take_all(proposals_);
+    readings.say_what_was_done(proposals_);
     if (entry_.readings.empty()) return false;
     take_points_of_readings();
     tell_of_points();

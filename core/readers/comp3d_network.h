@@ -4,7 +4,7 @@
 #include <array>
 #include <string>
 
-#include "core/readers/comp3d_readings.h"
+#include "core/readers/comp3d_ground.h"
 
 namespace covaria {
 

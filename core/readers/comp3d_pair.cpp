@@ -1,12 +1,14 @@
 // Networks of Comp3D, which are two files or more: the observations (.obs) with the coordinates beside them,
 // or the settings (.comp) that name both.
 #include <algorithm>
+#include <set>
 
 #include "core/base/in_quotes.h"
 #include "core/base/text_places.h"
 #include "core/readers/comp3d_lists.h"
 #include "core/readers/comp3d_network.h"
 #include "core/readers/comp3d_project.h"
+#include "core/readers/delimited_text.h"
 #include "core/readers/entry_texts.h"
 #include "core/readers/formats.h"
 #include "core/readers/unstated_units.h"
@@ -46,6 +48,34 @@ std::string coordinates_beside(const ReadChoice& choice) {
     for (const std::string& name : all)
         if (name.substr(0, name.rfind('.')) == stem) return name;
     return all.size() == 1 ? all.front() : std::string();
+}
+
+/// The cells of each line with content, without comments.
+std::vector<std::vector<std::string>> cells_of_lines(std::string_view text) {
+    std::vector<std::vector<std::string>> lines;
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        auto cells = blank_separated(comp3d_content(text.substr(0, end)));
+        if (!cells.empty()) lines.push_back(std::move(cells));
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    return lines;
+}
+
+/// Whether a file of coordinates may be that of the observations: they name one of its points, or either of
+/// them includes further files.
+bool may_belong(const std::string& coordinates, const std::string& observations) {
+    std::set<std::string> points;
+    for (const auto& cells : cells_of_lines(coordinates)) {
+        if (cells[0].starts_with('@')) return true;
+        if (cells.size() > 1) points.insert(cells[1]);
+    }
+    for (const auto& cells : cells_of_lines(observations)) {
+        if (cells[0].starts_with('@')) return true;
+        for (std::size_t i = 1; i < std::min<std::size_t>(3, cells.size()); ++i)
+            if (points.contains(cells[i]) || (i == 2 && cells[i].starts_with('@'))) return true;
+    }
+    return false;
 }
 
 class PairReader {
@@ -140,14 +170,16 @@ Result<Proposals> read_obs(const std::string& text, const ReadChoice& choice) {
     const auto coordinates = project.coordinates.empty()
                                  ? Result<std::string>(fail(ErrorCode::not_found, Message()))
                                  : choice.beside.read(project.coordinates);
-    if (!coordinates) {
+    const bool is_named = known || project.coordinates.substr(0, project.coordinates.rfind('.')) ==
+                                       choice.file_name.substr(0, choice.file_name.rfind('.'));
+    if (!coordinates || (!is_named && !may_belong(*coordinates, text))) {
         auto quantities = read_comp3d_quantities(text, choice);
         if (quantities)
-            quantities->found.push_back(project.coordinates.empty()
-                                            ? tell<"no network: there is no file of coordinates of the same "
+            quantities->found.push_back(!coordinates && !project.coordinates.empty()
+                                            ? tell<"no network: %1">(coordinates.error().message)
+                                            : tell<"no network: there is no file of coordinates of the same "
                                                    "name (.cor) beside it, nor "
-                                                   "a single one">()
-                                            : tell<"no network: %1">(coordinates.error().message));
+                                                   "a single one with its points">());
         return quantities;
     }
     auto read = PairReader(project, choice).read(*coordinates, text, false);

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "core/readers/comp3d_readings.h"
+#include "core/readers/comp3d_ground.h"
 
 namespace covaria {
 

@@ -1,6 +1,7 @@
 #include "core/readers/comp3d_site.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -37,21 +38,39 @@ Eigen::Vector3d Comp3dSite::seen(const Sight& sight) const {
     return axes(sight.from).transpose() * (b - a);
 }
 
-double Comp3dSite::larger(const std::string& kind, const Sight& sight) const {
-    const Eigen::Vector3d v = seen(sight);
-    Eigen::Vector3d flat = sight.to - sight.from;
-    flat.z() += sight.height_to - sight.height_from;
-    if (kind == "slope-distance") return v.norm() - flat.norm();
+Eigen::Vector3d Comp3dSite::flat(const Sight& sight) {
+    Eigen::Vector3d v = sight.to - sight.from;
+    v.z() += sight.height_to - sight.height_from;
+    return v;
+}
+
+Eigen::Vector3d Comp3dSite::curved(const Sight& sight, double refraction) const {
+    Eigen::Vector3d v = flat(sight);
+    v.z() -= 0.5 * (1.0 - refraction) * v.head<2>().squaredNorm() / radius_;
+    return v;
+}
+
+Eigen::Vector3d Comp3dSite::flat_of_level(const Eigen::Vector3d& v, double height) const {
+    const double across = v.head<2>().norm(), up = radius_ + height + v.z(),
+                 arc = radius_ * std::atan2(across, up);
+    Eigen::Vector3d flat = v;
+    if (across > 0.0) flat.head<2>() *= arc / across;
+    flat.z() = std::hypot(across, up) - radius_ - height;
+    return flat;
+}
+
+double Comp3dSite::larger(const std::string& kind, const Sight& sight, double refraction) const {
+    const Eigen::Vector3d v = seen(sight), level = flat(sight), bent = curved(sight, refraction);
+    if (kind == "slope-distance") return v.norm() - level.norm();
     if (kind == "horizontal-distance") {
         const double chord = (direction(sight.to) - direction(sight.from)).norm();
-        return 2.0 * radius_ * std::asin(std::min(1.0, 0.5 * chord)) - flat.head<2>().norm();
+        return 2.0 * radius_ * std::asin(std::min(1.0, 0.5 * chord)) - level.head<2>().norm();
     }
-    if (kind == "zenith-angle") {
-        flat.z() -= 0.5 * flat.head<2>().squaredNorm() / radius_;
-        return std::atan2(v.head<2>().norm(), v.z()) - std::atan2(flat.head<2>().norm(), flat.z());
-    }
+    if (kind == "zenith-angle")
+        return std::atan2(v.head<2>().norm(), v.z()) - 0.5 * refraction * v.head<2>().norm() / radius_ -
+               std::atan2(bent.head<2>().norm(), bent.z());
     if (kind == "direction" || kind == "azimuth")
-        return std::remainder(std::atan2(v.x(), v.y()) - std::atan2(flat.x(), flat.y()),
+        return std::remainder(std::atan2(v.x(), v.y()) - std::atan2(level.x(), level.y()),
                               2.0 * std::numbers::pi);
     return 0.0;
 }

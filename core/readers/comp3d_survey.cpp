@@ -151,7 +151,7 @@ std::optional<std::string> Comp3dSurveyReader::text_beside(const std::string& na
 }
 
 Result<void> Comp3dSurveyReader::include(const std::string& name, const Comp3dPlace& at, TakeLine take) {
-    if (open_.size() >= most_open || std::ranges::find(open_, name) != open_.end())
+    if (!name.empty() && (open_.size() >= most_open || std::ranges::find(open_, name) != open_.end()))
         return refused_line(
             at, 1,
             tell<"the file %1 includes itself, or too many one in another">(in_quotes(plain_name(name))));

@@ -14,8 +14,6 @@ namespace covaria {
 
 namespace {
 
-constexpr const char* adjustment_model = "network-adjustment";
-
 bool contains_any(const std::string& text, const char* letters) {
     return text.find_first_of(letters) != std::string::npos;
 }
@@ -44,11 +42,11 @@ double gross_limit(const GamaParameters& parameters, double least_u_of_angle) {
 
 /// Takes over the parameters, so that observations which Gama leaves out are left out here too;
 /// `least_u_of_angle` is in gon.
-void take_over(const GamaParameters& parameters, double least_u_of_angle, Setup& setup,
+void take_over(const GamaParameters& parameters, double least_u_of_angle, NetworkEntry& entry,
                Proposals& proposals) {
     const double limit = gross_limit(parameters, least_u_of_angle);
-    setup.values["gross_limit"] = Quantity{limit, Unit::of("m")};
-    setup.values["undetermined"] = std::string("leave-out");
+    entry.gross_limit = limit;
+    entry.leaves_undetermined = true;
     proposals.found.push_back(
         tell<"observations that miss what the others agree on by more than %1 m, and points that nothing "
              "tells, are left out, as Gama does">(Message::number(format_short(limit, 6))));
@@ -175,47 +173,30 @@ double GamaNetwork::north() const {
     return clockwise_ ? std::atan2(along(0), along(1)) : std::atan2(along(1), along(0));
 }
 
-SetupTable GamaNetwork::points_table() const {
-    TableRows rows(table_of(adjustment_model, "points"));
-    std::set<std::string> used;
-    for (const Row& row : rows_) used.insert({row.observed.from, row.observed.to, row.observed.second});
-    const auto cell = [](const std::optional<double>& value) {
-        return value ? SetupCell(*value) : SetupCell();
-    };
+NetworkEntry GamaNetwork::entry() const {
+    NetworkEntry entry;
     for (const GamaPoint& point : points_)
-        if (used.contains(point.name))
-            rows.add({{"name", point.name},
-                      {"x", cell(point.p[0])},
-                      {"y", cell(point.p[1])},
-                      {"z", cell(point.p[2])},
-                      {"plane", point.plane},
-                      {"height", point.height}});
-    return rows.table();
-}
-
-SetupTable GamaNetwork::readings_table() const {
-    TableRows rows(table_of(adjustment_model, "readings"));
-    for (const char* column : {"angle", "u_angle"}) rows.set_unit(column, Unit::of("gon"));
-    const auto text = [](const std::string& words) { return words.empty() ? SetupCell() : SetupCell(words); };
-    const auto height = [](double h) { return h == 0.0 ? SetupCell() : SetupCell(h); };
+        entry.points.push_back(
+            {.name = point.name, .p = point.p, .plane = point.plane, .height = point.height});
     for (const Row& row : rows_) {
         const GamaObserved& o = row.observed;
-        const bool single = o.kind == "x" || o.kind == "y" || o.kind == "z", angle = o.is_angle;
-        double value = o.value;
-        if (o.kind == "azimuth") value = Unit::of("gon").from_si(Unit::of("gon").to_si(value) + north());
-        rows.add({{"label", text(row.label)},
-                  {"kind", o.kind},
-                  {"from", o.from},
-                  {"to", single ? SetupCell() : SetupCell(o.to)},
-                  {"second", o.kind == "angle" ? SetupCell(o.second) : SetupCell()},
-                  {"round", o.kind == "direction" ? text(o.round) : SetupCell()},
-                  {angle ? "angle" : "length", value},
-                  {angle ? "u_angle" : "u_length", angle ? *o.u : 1e3 * *o.u},
-                  {"height_from", height(o.height_from)},
-                  {"height_to", height(o.height_to)},
-                  {"face", o.face_two ? SetupCell(std::string("two")) : SetupCell()}});
+        const bool single = o.kind == "x" || o.kind == "y" || o.kind == "z";
+        NetworkReading reading{.kind = o.kind, .from = o.from, .to = single ? std::string() : o.to};
+        if (o.kind == "angle") reading.second = o.second;
+        if (o.kind == "direction") reading.round = o.round;
+        reading.label = row.label;
+        reading.value = o.value;
+        if (o.kind == "azimuth")
+            reading.value = entry.angle_unit.from_si(entry.angle_unit.to_si(o.value) + north());
+        reading.u = *o.u;
+        reading.height_from = o.height_from;
+        reading.height_to = o.height_to;
+        reading.face_two = o.face_two;
+        entry.readings.push_back(std::move(reading));
     }
-    return rows.table();
+    entry.remove_unread_points();
+    entry.clockwise = clockwise_;
+    return entry;
 }
 
 bool GamaNetwork::propose(const std::vector<GamaObserved>& observed,
@@ -253,26 +234,19 @@ bool GamaNetwork::propose(const std::vector<GamaObserved>& observed,
     if (!finds) return false;
     for (const auto& [line, words] : left_out) proposals_.leave_out(line, words);
     for (const auto& [line, words] : parameters_.named) proposals_.leave_out(line, words);
-    TableRows between(table_of(adjustment_model, "correlations"));
+    NetworkEntry made = entry();
     const auto add = [&](const std::vector<StatedCorrelation>& all, const std::vector<std::string>& labels) {
         for (const StatedCorrelation& c : all)
             if (!labels[c.first].empty() && !labels[c.second].empty())
-                between.add({{"first", labels[c.first]},
-                             {"second", labels[c.second]},
-                             {"coefficient", c.coefficient}});
+                made.correlations.push_back({labels[c.first], labels[c.second], c.coefficient});
     };
     add(correlations, of_observed);
     add(of_coordinates_, of_coordinates);
-    AnalysisEntry analysis{.id = "network", .model = adjustment_model, .name = title};
-    analysis.notes = "From " + source + ". Standard deviations as stated for the adjustment.";
-    analysis.setup.values["points"] = points_table();
-    analysis.setup.values["readings"] = readings_table();
-    analysis.setup.values["sense"] = std::string(clockwise_ ? "y-to-x" : "x-to-y");
-    take_over(parameters_, least_u_of_angle_, analysis.setup, proposals_);
-    if (!between.table().rows.empty()) analysis.setup.values["correlations"] = between.table();
+    take_over(parameters_, least_u_of_angle_, made, proposals_);
     proposals_.found.push_back(tell<"a network of %1 points with %2 readings, which is adjusted">(
-        std::get<SetupTable>(analysis.setup.values["points"]).rows.size(), rows_.size()));
-    proposals_.analyses.push_back(std::move(analysis));
+        made.points.size(), made.readings.size()));
+    proposals_.analyses.push_back(
+        made.analysis(title, "From " + source + ". Standard deviations as stated for the adjustment."));
     return true;
 }
 

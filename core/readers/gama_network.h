@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/readers/gama_observations.h"
+#include "core/readers/network_entry.h"
 #include "core/readers/reader.h"
 
 namespace covaria {
@@ -55,8 +56,7 @@ private:
     };
     std::optional<std::string> objection(const GamaObserved& observed) const;
     double north() const;
-    SetupTable points_table() const;
-    SetupTable readings_table() const;
+    NetworkEntry entry() const;
 
     const XmlText& xml_;
     Proposals& proposals_;

@@ -12,13 +12,13 @@ namespace {
 
 constexpr const char* network_adjustment = "network-adjustment";
 
-SetupCell cell_of(const std::optional<double>& value, double factor = 1.0) {
+SetupCell number_cell(const std::optional<double>& value, double factor = 1.0) {
     return value ? SetupCell(factor * *value) : SetupCell();
 }
-SetupCell cell_of(const std::string& text) {
+SetupCell text_cell(const std::string& text) {
     return text.empty() ? SetupCell() : SetupCell(text);
 }
-SetupCell cell_of_height(double height) {
+SetupCell height_cell(double height) {
     return height == 0.0 ? SetupCell() : SetupCell(height);
 }
 
@@ -77,14 +77,14 @@ SetupTable NetworkEntry::points_table() const {
     TableRows rows(table_of(network_adjustment, "points"));
     for (const NetworkPoint& point : points)
         rows.add({{"name", point.name},
-                  {"x", cell_of(point.p[0])},
-                  {"y", cell_of(point.p[1])},
-                  {"z", cell_of(point.p[2])},
+                  {"x", number_cell(point.p[0])},
+                  {"y", number_cell(point.p[1])},
+                  {"z", number_cell(point.p[2])},
                   {"plane", point.plane},
                   {"height", point.height},
-                  {"u_x", cell_of(point.u[0], 1e3)},
-                  {"u_y", cell_of(point.u[1], 1e3)},
-                  {"u_z", cell_of(point.u[2], 1e3)}});
+                  {"u_x", number_cell(point.u[0], 1e3)},
+                  {"u_y", number_cell(point.u[1], 1e3)},
+                  {"u_z", number_cell(point.u[2], 1e3)}});
     return rows.table();
 }
 
@@ -93,18 +93,18 @@ SetupTable NetworkEntry::readings_table() const {
     for (const char* column : {"angle", "u_angle"}) rows.set_unit(column, angle_unit);
     for (const NetworkReading& r : readings) {
         const bool angle = r.is_of_angle();
-        rows.add({{"label", cell_of(r.label)},
+        rows.add({{"label", text_cell(r.label)},
                   {"kind", r.kind},
                   {"from", r.from},
-                  {"to", cell_of(r.to)},
-                  {"second", cell_of(r.second)},
-                  {"round", cell_of(r.round)},
-                  {"frame", cell_of(r.frame)},
+                  {"to", text_cell(r.to)},
+                  {"second", text_cell(r.second)},
+                  {"round", text_cell(r.round)},
+                  {"frame", text_cell(r.frame)},
                   {angle ? "angle" : "length", r.value},
                   {angle ? "u_angle" : "u_length", angle ? r.u : 1e3 * r.u},
-                  {"height_from", cell_of_height(r.height_from)},
-                  {"height_to", cell_of_height(r.height_to)},
-                  {"instrument", cell_of(r.instrument)},
+                  {"height_from", height_cell(r.height_from)},
+                  {"height_to", height_cell(r.height_to)},
+                  {"instrument", text_cell(r.instrument)},
                   {"face", r.face_two ? SetupCell(std::string("two")) : SetupCell()},
                   {"use", r.is_used ? SetupCell() : SetupCell(std::string("left-out"))}});
     }
@@ -117,25 +117,23 @@ void NetworkEntry::write_figures(Setup& setup) const {
         between.add({{"first", c.first}, {"second", c.second}, {"coefficient", c.coefficient}});
     TableRows frame_rows(table_of(network_adjustment, "frames"));
     for (const NetworkFrame& frame : frames)
-        frame_rows.add(
-            {{"name", frame.name},
-             {"shape", std::string("frame")},
-             {"scale", std::string("fixed")},
-             {"ratio", frame.scale_beyond_one == 0.0 ? SetupCell() : SetupCell(1e6 * frame.scale_beyond_one)},
-             {"u_tilt", cell_of(frame.u_of_tilt)}});
+        frame_rows.add({{"name", frame.name},
+                        {"shape", std::string("frame")},
+                        {"scale", std::string("fixed")},
+                        {"u_tilt", number_cell(frame.u_of_tilt)}});
     TableRows stations(table_of(network_adjustment, "stations"));
     for (const std::string& point : leaning)
         stations.add({{"point", point}, {"tilt", std::string("unknown")}});
-    TableRows figures(table_of(network_adjustment, "figures"));
-    for (const std::string& instrument : unbent)
-        figures.add({{"instrument", cell_of(instrument)},
-                     {"figure", std::string("refraction")},
-                     {"knowledge", std::string("fixed")},
-                     {"ratio", 0.0}});
+    TableRows figure_rows(table_of(network_adjustment, "figures"));
+    for (const NetworkFigure& f : figures)
+        figure_rows.add({{"instrument", text_cell(f.instrument)},
+                         {"figure", f.figure},
+                         {"knowledge", f.knowledge},
+                         {"ratio", f.knowledge == "fixed" ? SetupCell(0.0) : SetupCell()}});
     for (const auto& [key, rows] : {std::pair<const char*, const TableRows*>{"correlations", &between},
                                     {"frames", &frame_rows},
                                     {"stations", &stations},
-                                    {"figures", &figures}})
+                                    {"figures", &figure_rows}})
         if (!rows->table().rows.empty()) setup.values[key] = rows->table();
 }
 

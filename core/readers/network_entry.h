@@ -43,8 +43,13 @@ struct NetworkCorrelation {
 /// An own frame of coordinates, of which more is known than that there is one.
 struct NetworkFrame {
     std::string name = {};
-    double scale_beyond_one = 0.0;         ///< known without uncertainty
     std::optional<double> u_of_tilt = {};  ///< rad; empty: it leans as it will
+};
+
+/// An effect of an instrument on all of its readings.
+struct NetworkFigure {
+    std::string instrument = {};    ///< empty: of all readings without one
+    std::string figure, knowledge;  ///< "refraction" and "fixed", at 0; "index" and "unknown"
 };
 
 struct NetworkEntry {
@@ -52,8 +57,8 @@ struct NetworkEntry {
     std::vector<NetworkReading> readings = {};
     std::vector<NetworkCorrelation> correlations = {};
     std::vector<NetworkFrame> frames = {};
-    std::vector<std::string> leaning = {};    ///< stations whose instruments are not levelled
-    std::vector<std::string> unbent = {};     ///< instruments whose zenith angles have no refraction
+    std::vector<std::string> leaning = {};  ///< stations whose instruments are not levelled
+    std::vector<NetworkFigure> figures = {};
     Unit angle_unit = Unit::of("gon");        ///< unit of the readings of angles
     bool clockwise = false;                   ///< directions grow from y towards x
     std::optional<double> earth_radius = {};  ///< m

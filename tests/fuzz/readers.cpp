@@ -22,6 +22,7 @@ public:
             names_.push_back(entry.path().string());
         std::sort(names_.begin(), names_.end());
         for (const std::string& name : names_) texts_.push_back(file_text(name));
+        stations_ = "\n1 A 0 0 10 0.001 0.001 0.001\n0 B 100 0 10\n2 C 60 80 12 0 0.001 0\n";
     }
 
     std::string make(Noise& noise) override {
@@ -37,11 +38,19 @@ public:
         const std::string text = input.substr(1);
         const auto number = static_cast<unsigned char>(input[0]);
         const auto& readers = reader_registry();
-        const auto found = reader_for(text, "file.cor");
+        const auto found = reader_for(text, number % 2 == 0   ? "file.cor"
+                                            : number % 3 == 0 ? "file.obs"
+                                                              : "file.comp");
         const Reader& reader =
             found && number % 4 != 0 ? **found : readers[static_cast<std::size_t>(number) % readers.size()];
-        ReadChoice choice{.file_name = "file.cor"};
+        ReadChoice choice{.file_name = number % 3 == 0 ? "file.obs" : "file.cor"};
         choice.chosen = number % 2 == 0;
+        if (number % 3 == 0) {
+            choice.beside.names = {"file.cor", "file.comp"};
+            choice.beside.read = [&](const std::string& name) -> Result<std::string> {
+                return name.ends_with(".cor") ? text.substr(0, text.size() / 2) + stations_ : text;
+            };
+        }
         if (number % 5 == 0) choice.columns = {"group", "name", "x", "y", "z", "u"};
         const auto read = guarded([&] { return reader.read(text, choice); });
         if (!read) return {false, false, "thrown: " + read.error().message.english()};
@@ -91,6 +100,7 @@ private:
     }
 
     std::vector<std::string> names_, texts_;
+    std::string stations_;  ///< coordinates beside the file
     const std::vector<std::string> words_{"<",
                                           ">",
                                           "/>",

@@ -52,7 +52,6 @@ QString contradictions(const Proposals& proposals) {
 ImportDialog::ImportDialog(const QString& file, QWidget* parent)
     : QDialog(parent),
       file_(file),
-      beside_(neighbours_of(to_path(file))),
       readers_(new QComboBox(this)),
       sheets_(new QComboBox(this)),
       unit_(new QComboBox(this)),
@@ -165,17 +164,16 @@ const Reader* ImportDialog::reader() const {
 }
 
 ReadChoice ImportDialog::choice() const {
-    ReadChoice choice{.file_name = to_std(QFileInfo(file_).fileName())};
-    choice.beside = beside_;
+    ReadChoice choice{.file_name = to_std(QFileInfo(file_).fileName()),
+                      .chosen = reader_chosen_,
+                      .beside = neighbours_of(to_path(file_))};
     if (const QString unit = unit_->currentData().toString(); !unit.isEmpty())
         choice.length_unit = Unit::of(to_std(unit));
     for (int row = 0; row < units_->rowCount(); ++row) {
-        const std::string text = to_std(units_->item(row, 1)->text());
-        if (const auto unit = Unit::parse(text))
+        if (const auto unit = Unit::parse(to_std(units_->item(row, 1)->text())))
             choice.units.insert_or_assign(to_std(units_->item(row, 0)->data(Qt::UserRole).toString()), *unit);
     }
     choice.sheet = to_std(sheets_->currentData().toString());
-    choice.chosen = reader_chosen_;
     for (int column = 0; table_chosen_ && column < table_->columnCount(); ++column) {
         const auto* box = qobject_cast<QComboBox*>(table_->cellWidget(0, column));
         const std::string word = box ? to_std(box->currentData().toString()) : std::string();

@@ -41,7 +41,6 @@ private:
     QString stamp() const;
 
     QString file_, failure_, hash_;
-    Neighbours beside_;
     qint64 bytes_ = 0;
     std::string text_;            ///< the file's text, as readers take it
     bool reader_chosen_ = false;  ///< not only recognised
