@@ -7,7 +7,8 @@
 #include "core/base/in_quotes.h"
 #include "core/readers/entry_texts.h"
 #include "core/readers/formats.h"
-#include "core/readers/gsi_text.h"
+#include "core/readers/gsi_network.h"
+#include "core/readers/gsi_set_ups.h"
 #include "core/readers/listed_points.h"
 #include "core/readers/rounds.h"
 #include "core/setup/message_text.h"
@@ -24,16 +25,7 @@ constexpr double half_turn = std::numbers::pi;
 /// The standard deviations from which on readings are no repetitions: 3.4' and 0.1 m.
 constexpr double largest_angle = 1e-3, largest_distance = 0.1;
 
-/// Readings while the instrument stood at one place.
-struct SetUp {
-    std::string station = {};
-    std::array<double, 3> position{};  ///< position of the ground point, m
-    double instrument_height = 0.0;
-    bool located = false;
-    std::vector<PolarReading> readings = {};
-};
-
-Eigen::Vector3d point_of(const SetUp& set_up, const MeanReading& mean) {
+Eigen::Vector3d point_of(const GsiSetUp& set_up, const MeanReading& mean) {
     const double across = mean.distance * std::sin(mean.zenith);
     return Eigen::Vector3d(
         set_up.position[0] + across * std::sin(mean.azimuth),
@@ -52,51 +44,58 @@ public:
     }
 
     Result<Proposals> make(const std::vector<GsiBlock>& blocks) {
-        for (const GsiBlock& block : blocks) add(block);
-        for (const auto& [index, lines] : others_)
-            proposals_.leave_out(lines.first, tell<"words %1 (%2)">(index, lines.second));
-        if (heights_ > 0)
-            proposals_.found.push_back(
-                tell<"%1 readings of reflectors above their points: the targets are the reflectors">(
-                    heights_));
-        if (!list_.points.empty()) propose_list();
-        for (const SetUp& set_up : set_ups_) propose_set_up(set_up);
-        if (proposals_.assets.empty())
+        const GsiContent content = gsi_content(blocks);
+        take_words(blocks);
+        for (const GsiPoint& point : content.points)
+            list_.points.push_back({.line = point.line, .name = point.name, .p = point.p});
+        if (const GsiTies ties(content); ties.are_any())
+            propose_network(content, ties);
+        else
+            propose_apart(content);
+        if (proposals_.assets.empty() && proposals_.analyses.empty())
             return fail(ErrorCode::bad_input,
                         tell<"the file has neither coordinates nor readings with a distance">());
         return std::move(proposals_);
     }
 
 private:
-    void add(const GsiBlock& block) {
-        for (const int index : block.others) {
-            auto& lines = others_.try_emplace(index, std::pair{block.line, 0}).first->second;
-            ++lines.second;
-        }
-        if (block.station[0] && block.station[1]) return begin_set_up(block);
-        if (block.target[0] && block.target[1] && block.target[2])
-            list_.points.push_back({.line = block.line,
-                                    .name = block.point,
-                                    .p = {*block.target[0], *block.target[1], *block.target[2]}});
-        if (!block.azimuth && !block.zenith && !block.distance) return;
-        if (!block.azimuth || !block.zenith || !block.distance)
-            return proposals_.leave_out(
-                block.line,
-                tell<"the reading of %1: angles and a distance are needed">(in_quotes(block.point)));
-        if (set_ups_.empty()) set_ups_.push_back({.station = "station", .readings = {}});
-        if (block.target_height && *block.target_height != 0.0) ++heights_;
-        SetUp& set_up = set_ups_.back();
-        if (set_up.readings.empty() && block.instrument_height && set_up.instrument_height == 0.0)
-            set_up.instrument_height = *block.instrument_height;
-        set_up.readings.push_back({block.line, block.point, *block.azimuth, *block.zenith, *block.distance});
+    void take_words(const std::vector<GsiBlock>& blocks) {
+        std::map<int, std::pair<int, int>> others;  // first line and number of each other word
+        for (const GsiBlock& block : blocks)
+            for (const int index : block.others)
+                ++others.try_emplace(index, std::pair{block.line, 0}).first->second.second;
+        for (const auto& [index, lines] : others)
+            proposals_.leave_out(lines.first, tell<"words %1 (%2)">(index, lines.second));
     }
 
-    void begin_set_up(const GsiBlock& block) {
-        SetUp set_up{.station = block.point.empty() ? "station" : "station " + block.point, .readings = {}};
-        for (std::size_t i = 0; i < 3; ++i) set_up.position[i] = block.station[i].value_or(0.0);
-        set_up.instrument_height = block.instrument_height.value_or(0.0);
-        set_up.located = true;
-        set_ups_.push_back(std::move(set_up));
+    /// One network of the set-ups that are tied, then the points and the set-ups that are not in it.
+    void propose_network(const GsiContent& content, const GsiTies& ties) {
+        GsiNetwork network(content, ties, proposals_);
+        network.propose(proposals_.title, source_);
+        std::erase_if(list_.points, [&](const ListedPoint& point) { return network.holds(point.name); });
+        GsiContent apart{.points = {}};
+        for (std::size_t i = 0; i < content.set_ups.size(); ++i)
+            if (!ties.is_tied(i)) apart.set_ups.push_back(content.set_ups[i]);
+        propose_apart(apart);
+    }
+
+    /// Set-ups that no common points tie, each by itself.
+    void propose_apart(const GsiContent& content) {
+        std::size_t heights = 0;
+        for (const GsiSetUp& set_up : content.set_ups)
+            for (const GsiSight& sight : set_up.sights) {
+                heights += sight.is_whole() && sight.target_height != 0.0;
+                if (!sight.is_whole())
+                    proposals_.leave_out(
+                        sight.line,
+                        tell<"the reading of %1: angles and a distance are needed">(in_quotes(sight.point)));
+            }
+        if (heights > 0)
+            proposals_.found.push_back(
+                tell<"%1 readings of reflectors above their points: the targets are the reflectors">(
+                    heights));
+        if (!list_.points.empty()) propose_list();
+        for (const GsiSetUp& set_up : content.set_ups) propose_set_up(set_up);
     }
 
     void propose_list() {
@@ -109,21 +108,22 @@ private:
         static_cast<void>(propose_points(std::move(list_), proposals_));
     }
 
-    void propose_set_up(const SetUp& set_up) {
-        if (set_up.readings.empty()) return;
+    void propose_set_up(const GsiSetUp& set_up) {
+        const std::vector<PolarReading> readings = set_up.readings();
+        if (readings.empty()) return;
         if (++number_ > most_set_ups)
             return proposals_.leave_out(
-                set_up.readings.front().line,
-                tell<"%1: more than %2 set-ups; divide the file">(in_quotes(set_up.station), most_set_ups));
-        const Rounds rounds = rounds_of(set_up.readings);
+                readings.front().line,
+                tell<"%1: more than %2 set-ups; divide the file">(in_quotes(set_up.title()), most_set_ups));
+        const Rounds rounds = rounds_of(readings);
         if (!set_up.located)
             proposals_.found.push_back(
-                tell<"%1: its coordinates are not in the file: 0, 0, 0">(in_quotes(set_up.station)));
+                tell<"%1: its coordinates are not in the file: 0, 0, 0">(in_quotes(set_up.title())));
         if (are_rounds(rounds)) return propose_rounds(set_up, rounds);
         if (has_list_)
             return proposals_.leave_out(
-                set_up.readings.front().line,
-                tell<"%1: readings of points that have coordinates">(in_quotes(set_up.station)));
+                readings.front().line,
+                tell<"%1: readings of points that have coordinates">(in_quotes(set_up.title())));
         propose_readings_as_points(set_up);
     }
 
@@ -136,12 +136,12 @@ private:
                is_small(rounds.distance, largest_distance);
     }
 
-    void propose_readings_as_points(const SetUp& set_up) {
+    void propose_readings_as_points(const GsiSetUp& set_up) {
         proposals_.found.push_back(tell<"%1: readings do not repeat, or are too far apart for it, and say "
-                                        "nothing of their uncertainty: points">(in_quotes(set_up.station)));
+                                        "nothing of their uncertainty: points">(in_quotes(set_up.title())));
         PointList points{
-            .title = proposals_.title + ", " + set_up.station, .unit = Unit::of("m"), .source = source_};
-        for (const PolarReading& reading : set_up.readings) {
+            .title = proposals_.title + ", " + set_up.title(), .unit = Unit::of("m"), .source = source_};
+        for (const PolarReading& reading : set_up.readings()) {
             const MeanReading one = rounds_of({reading}).means.front();
             const Eigen::Vector3d p = point_of(set_up, one);
             points.points.push_back({.line = reading.line, .name = reading.point, .p = {p[0], p[1], p[2]}});
@@ -149,9 +149,9 @@ private:
         static_cast<void>(propose_points(std::move(points), proposals_));
     }
 
-    void propose_rounds(const SetUp& set_up, const Rounds& rounds) {
+    void propose_rounds(const GsiSetUp& set_up, const Rounds& rounds) {
         const std::string id =
-            id_of(set_up.station, "station") + (number_ > 1 ? "-" + std::to_string(number_) : "");
+            id_of(set_up.title(), "station") + (number_ > 1 ? "-" + std::to_string(number_) : "");
         const double root = std::sqrt(static_cast<double>(rounds.fewest_rounds));
         const double arcsec = Unit::of("arcsec").to_si(1.0);
         const double u_azimuth = rounds.azimuth.s / root / arcsec, u_zenith = rounds.zenith.s / root / arcsec;
@@ -167,8 +167,8 @@ private:
                                   format_short(u_distance, 2) + " mm" + nu(rounds.distance) +
                                   "; collimation " + format_short(rounds.collimation / arcsec, 2) +
                                   "\", index " + format_short(rounds.index / arcsec, 2) + "\"";
-        proposals_.found.push_back(in_quotes(set_up.station) + ": " + words);
-        AssetEntry instrument{.id = id, .kind = instrument_kind, .name = set_up.station};
+        proposals_.found.push_back(in_quotes(set_up.title()) + ": " + words);
+        AssetEntry instrument{.id = id, .kind = instrument_kind, .name = set_up.title()};
         instrument.notes =
             "From " + source_ + ". " + words +
             ". The zero of the circle is taken as +y (north): turn the station if it was not oriented. "
@@ -184,10 +184,10 @@ private:
         instrument.setup.values["angle_elevation"] = Quantity{u_zenith, Unit::of("arcsec")};
         instrument.setup.values["meaning"] = std::string("standard");
         proposals_.assets.push_back(std::move(instrument));
-        propose_network(set_up, rounds, id);
+        propose_targets(set_up, rounds, id);
     }
 
-    void propose_network(const SetUp& set_up, const Rounds& rounds, const std::string& id) {
+    void propose_targets(const GsiSetUp& set_up, const Rounds& rounds, const std::string& id) {
         TableRows sensors(table_of(network_model, "sensors")), targets(table_of(network_model, "targets")),
             readings(table_of(network_model, "readings"));
         for (const char* axis : {"x", "y", "z"}) targets.set_unit(axis, Unit::of("m"));
@@ -204,7 +204,7 @@ private:
                           {"elevation", 0.5 * half_turn - mean.zenith}});
         }
         AnalysisEntry analysis{
-            .id = "targets-" + id, .model = network_model, .name = "Targets from " + set_up.station};
+            .id = "targets-" + id, .model = network_model, .name = "Targets from " + set_up.title()};
         analysis.notes = "From " + source_ + ": means of all rounds.";
         analysis.setup.values["sensors"] = sensors.table();
         analysis.setup.values["targets"] = targets.table();
@@ -217,9 +217,7 @@ private:
     Proposals proposals_;
     std::string source_;
     PointList list_;
-    std::vector<SetUp> set_ups_;
-    std::map<int, std::pair<int, int>> others_;  ///< first line and number of each other word
-    std::size_t heights_ = 0, number_ = 0;
+    std::size_t number_ = 0;
     bool has_list_ = false;
 };
 
@@ -240,8 +238,8 @@ Reader gsi_reader() {
             .title = "Leica GSI-8 and GSI-16",
             .pattern = "*.gsi",
             .takes =
-                "coordinates -> an artefact; rounds of readings -> an instrument with Type A figures and its "
-                "targets",
+                "readings of set-ups that see common points -> a network that is adjusted; rounds of one "
+                "set-up -> an instrument with Type A figures and its targets; coordinates -> an artefact",
             .recognise = recognise_gsi,
             .read = read_gsi_file};
 }
