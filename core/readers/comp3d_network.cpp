@@ -182,7 +182,7 @@ bool Comp3dNetwork::propose(const std::string& title, const std::string& source)
     take_points();
     const Comp3dGround ground(survey_, points_, settings_);
     Comp3dFlatReadings readings(ground, settings_, files_, entry_);
-    Comp3dReadings(survey_, ground, settings_, files_, readings).take_all();
+    Comp3dReadings(survey_, ground, settings_, files_, readings, entry_).take_all();
     Comp3dSubframes(survey_, ground, settings_, files_, readings, entry_).take_all(proposals_);
     readings.say_what_was_done(proposals_);
     if (entry_.readings.empty()) return false;

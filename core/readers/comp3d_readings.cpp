@@ -37,6 +37,7 @@ bool is_read_distance(const std::string& kind) {
 
 void Comp3dReadings::take_all() {
     for (const Comp3dObservation& o : survey_.observations) take(o);
+    for (const Comp3dEquality& equality : survey_.equalities) take(equality);
 }
 
 /// The round of a direction. Code 7 begins one, as does the first direction of a station.
@@ -79,6 +80,29 @@ void Comp3dReadings::take_centring(const Comp3dObservation& o) {
         reading.is_used = o.is_used && sigma >= 0.0;
         readings_.add(std::move(reading), o.at);
     }
+}
+
+/// Distances whose common length nobody knows are read by an instrument whose zero nobody knows.
+void Comp3dReadings::take(const Comp3dEquality& equality) {
+    if (equality.pairs.empty()) return;
+    const auto& first = equality.pairs.front();
+    const double length = ground_.distance_of(first.from, first.to).value_or(1.0);
+    const std::string instrument =
+        equality.name + " " + std::to_string(1 + (&equality - survey_.equalities.data()));
+    bool any = false;
+    for (const Comp3dEquality::Pair& pair : equality.pairs) {
+        NetworkReading reading{
+            .kind = "slope-distance", .from = pair.from, .to = pair.to, .instrument = instrument};
+        reading.value = length;
+        reading.u = std::abs(pair.sigma);
+        reading.is_used = pair.sigma >= 0.0;
+        const double change = readings_.change_of(reading);
+        const bool is_used = reading.is_used;
+        const std::size_t before = entry_.readings.size();
+        readings_.add(std::move(reading), pair.at, change);
+        any = any || (is_used && entry_.readings.size() > before);
+    }
+    if (any) entry_.figures.push_back({instrument, "zero", "unknown"});
 }
 
 }  // namespace covaria

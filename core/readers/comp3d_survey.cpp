@@ -51,8 +51,6 @@ Message words_of_code(int code, const std::string& origin) {
             return tell<"baselines of GNSS from %1: they are geocentric">(origin);
         case 21:
             return tell<"equal height differences whose size is not known">();
-        case 22:
-            return tell<"equal distances whose size is not known">();
         default:
             return tell<"an observation of code %1">(code);
     }
@@ -210,19 +208,37 @@ Result<void> Comp3dSurveyReader::take_observation(const Cells& cells, const Comp
 Result<void> Comp3dSurveyReader::take_subfile(int code, const Cells& cells, const Comp3dPlace& at) {
     const std::size_t named = is_include(cells[1]) ? 1 : 2;
     const std::string file = cells[named].substr(1), origin = named == 2 ? plain_name(cells[1]) : "";
-    if ((code != 11 && code != 12) || origin.empty()) {
+    const bool is_equality = code == 22 && named == 1;
+    if (!is_equality && ((code != 11 && code != 12) || origin.empty())) {
         const Message words = words_of_code(std::abs(code), origin);
         leave_out(at, tell<"%1; a file that it includes: %2">(words, in_quotes(plain_name("@" + file))));
         return {};
     }
     const auto text = text_beside(file, at);
     if (!text) return {};
+    if (is_equality) {
+        survey_.equalities.push_back({.name = plain_name(file)});
+        return read_lines(*text, file, &Comp3dSurveyReader::take_pair);
+    }
     survey_.subframes.push_back({.at = at,
                                  .is_polar = code == 12,
                                  .is_level = cells.size() > 3 && cells[3] == "1",
                                  .origin = origin,
                                  .name = plain_name(file)});
     return read_lines(*text, file, &Comp3dSurveyReader::take_sighting);
+}
+
+Result<void> Comp3dSurveyReader::take_pair(const Cells& cells, const Comp3dPlace& at) {
+    const auto numbers = numbers_after(cells, 2, at);
+    if (!numbers) return fail(numbers.error());
+    if (numbers->size() != 1)
+        return refused_line(at, static_cast<int>(cells.size()),
+                            tell<"two points and a standard deviation are expected">());
+    auto& pairs = survey_.equalities.back().pairs;
+    if (pairs.size() == most_kept)
+        return refused_line(at, 1, tell<"too many observations: divide the file">());
+    pairs.push_back({at, plain_name(cells[0]), plain_name(cells[1]), numbers->front()});
+    return {};
 }
 
 Result<void> Comp3dSurveyReader::take_sighting(const Cells& cells, const Comp3dPlace& at) {

@@ -63,11 +63,25 @@ struct Comp3dSubframe {
     std::vector<Comp3dSighting> sightings = {};
 };
 
+/// Distances that are equal, whatever they are.
+struct Comp3dEquality {
+    struct Pair {
+        Comp3dPlace at;
+        std::string from, to;
+        double sigma = 0.0;
+    };
+    std::string name;
+    std::vector<Pair> pairs = {};
+};
+
 struct Comp3dSurvey {
     std::vector<Comp3dPoint> points = {};
     std::vector<Comp3dObservation> observations = {};
     std::vector<Comp3dSubframe> subframes = {};
-    bool has_observations() const { return !observations.empty() || !subframes.empty(); }
+    std::vector<Comp3dEquality> equalities = {};
+    bool has_observations() const {
+        return !observations.empty() || !subframes.empty() || !equalities.empty();
+    }
 };
 
 /// Reads files into a survey. Lines that it does not hold are remarks of `proposals`. Errors have a line, and
@@ -91,6 +105,7 @@ private:
     Result<void> take_point(const Cells& cells, const Comp3dPlace& at);
     Result<void> take_observation(const Cells& cells, const Comp3dPlace& at);
     Result<void> take_sighting(const Cells& cells, const Comp3dPlace& at);
+    Result<void> take_pair(const Cells& cells, const Comp3dPlace& at);
     Result<void> take_subfile(int code, const Cells& cells, const Comp3dPlace& at);
 
     const Neighbours& beside_;

@@ -256,6 +256,20 @@ TEST(Comp3dNetworks, ConstraintsOfOneCoordinateAndPlanesAreKept) {
     EXPECT_NE(made.found.find("'B': the constraint of y"), std::string::npos) << made.found;
 }
 
+// Four points on a sphere about one that nothing else tells.
+TEST(Comp3dNetworks, EqualDistancesOfUnknownLengthAreReadings) {
+    const fs::path folder = test::fresh_folder("comp3d-equal");
+    write(folder / "a.cor",
+          "1 A 10 0 0 0 0 0\n1 B 0 10 0 0 0 0\n1 C -10 0 0 0 0 0\n1 D 0 0 10 0 0 0\n0 M 0.3 -0.2 0.4\n");
+    write(folder / "a.obs", "22 @a.eq\n21 @b.eq\n");
+    write(folder / "a.eq", "* about M\nM A 0.001\nM B 0.001\nM C 0.001\nM D 0.001\n");
+    const AdjustedImport made = adjusted(import(folder / "a.obs"));
+    for (const char* axis : {"x", "y", "z"})
+        EXPECT_NEAR(made.estimate.at(std::string("M_") + axis), 0.0, 1e-6) << axis << made.found;
+    EXPECT_EQ(made.degrees_of_freedom, 0.0);
+    EXPECT_NE(made.found.find("2 equal height differences"), std::string::npos) << made.found;
+}
+
 TEST(Comp3dNetworks, OnlyFilesWithinTheFolderAreRead) {
     const fs::path folder = test::fresh_folder("comp3d-links"),
                    outside = test::fresh_folder("comp3d-outside");
