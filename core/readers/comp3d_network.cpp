@@ -7,6 +7,7 @@
 #include "core/base/in_quotes.h"
 #include "core/base/text_places.h"
 #include "core/project/csv_reader.h"
+#include "core/readers/comp3d_axes.h"
 #include "core/readers/comp3d_readings.h"
 #include "core/readers/comp3d_subframes.h"
 #include "core/readers/covariance.h"
@@ -158,6 +159,7 @@ void Comp3dNetwork::take_points() {
 void Comp3dNetwork::take_points_of_readings() {
     std::set<std::string> known;
     for (const auto& [name, point] : points_) known.insert(name);
+    for (const NetworkPoint& point : entry_.points) known.insert(point.name);
     for (std::size_t i = 0; i < entry_.readings.size(); ++i)
         for (const std::string& name : {entry_.readings[i].from, entry_.readings[i].to})
             if (!name.empty() && known.insert(name).second) entry_.points.push_back({.name = name});
@@ -184,6 +186,7 @@ bool Comp3dNetwork::propose(const std::string& title, const std::string& source)
     Comp3dFlatReadings readings(ground, settings_, files_, entry_);
     Comp3dReadings(survey_, ground, settings_, files_, readings, entry_).take_all();
     Comp3dSubframes(survey_, ground, settings_, files_, readings, entry_).take_all(proposals_);
+    Comp3dAxes(survey_, ground, files_, readings, entry_).take_all(proposals_);
     readings.say_what_was_done(proposals_);
     if (entry_.readings.empty()) return false;
     take_points_of_readings();

@@ -45,8 +45,6 @@ bool is_include(const std::string& cell) {
 /// What the codes stand for that no network here has.
 Message words_of_code(int code, const std::string& origin) {
     switch (code) {
-        case 18:
-            return tell<"a rotation axis, %1: circles about an axis are not part of a network here">(origin);
         case 19:
             return tell<"baselines of GNSS from %1: they are geocentric">(origin);
         case 21:
@@ -209,13 +207,17 @@ Result<void> Comp3dSurveyReader::take_subfile(int code, const Cells& cells, cons
     const std::size_t named = is_include(cells[1]) ? 1 : 2;
     const std::string file = cells[named].substr(1), origin = named == 2 ? plain_name(cells[1]) : "";
     const bool is_equality = code == 22 && named == 1;
-    if (!is_equality && ((code != 11 && code != 12) || origin.empty())) {
+    if (!is_equality && ((code != 11 && code != 12 && code != 18) || origin.empty())) {
         const Message words = words_of_code(std::abs(code), origin);
         leave_out(at, tell<"%1; a file that it includes: %2">(words, in_quotes(plain_name("@" + file))));
         return {};
     }
     const auto text = text_beside(file, at);
     if (!text) return {};
+    if (code == 18) {
+        survey_.axes.push_back({.at = at, .origin = origin});
+        return read_lines(*text, file, &Comp3dSurveyReader::take_position);
+    }
     if (is_equality) {
         survey_.equalities.push_back({.name = plain_name(file)});
         return read_lines(*text, file, &Comp3dSurveyReader::take_pair);
@@ -226,6 +228,23 @@ Result<void> Comp3dSurveyReader::take_subfile(int code, const Cells& cells, cons
                                  .origin = origin,
                                  .name = plain_name(file)});
     return read_lines(*text, file, &Comp3dSurveyReader::take_sighting);
+}
+
+Result<void> Comp3dSurveyReader::take_position(const Cells& cells, const Comp3dPlace& at) {
+    if (cells[0] == "L") {
+        leave_out(at, tell<"where the origin of the axis is along it">());
+        return {};
+    }
+    const auto numbers = numbers_after(cells, 3, at);
+    if (!numbers) return fail(numbers.error());
+    if (numbers->size() != 2)
+        return refused_line(at, static_cast<int>(cells.size()),
+                            tell<"a target, a position, a point and two standard deviations are expected">());
+    auto& positions = survey_.axes.back().positions;
+    if (positions.size() == most_kept)
+        return refused_line(at, 1, tell<"too many observations: divide the file">());
+    positions.push_back({at, plain_name(cells[0]), plain_name(cells[2]), (*numbers)[0], (*numbers)[1]});
+    return {};
 }
 
 Result<void> Comp3dSurveyReader::take_pair(const Cells& cells, const Comp3dPlace& at) {

@@ -74,13 +74,26 @@ struct Comp3dEquality {
     std::vector<Pair> pairs = {};
 };
 
+/// Positions of targets that turn about an axis.
+struct Comp3dAxis {
+    struct Position {
+        Comp3dPlace at;
+        std::string target, point;
+        double sigma_radius = 0.0, sigma_off = 0.0;  ///< along the radius, off the plane of the circle
+    };
+    Comp3dPlace at;
+    std::string origin;
+    std::vector<Position> positions = {};
+};
+
 struct Comp3dSurvey {
     std::vector<Comp3dPoint> points = {};
     std::vector<Comp3dObservation> observations = {};
     std::vector<Comp3dSubframe> subframes = {};
     std::vector<Comp3dEquality> equalities = {};
+    std::vector<Comp3dAxis> axes = {};
     bool has_observations() const {
-        return !observations.empty() || !subframes.empty() || !equalities.empty();
+        return !observations.empty() || !subframes.empty() || !equalities.empty() || !axes.empty();
     }
 };
 
@@ -106,6 +119,7 @@ private:
     Result<void> take_observation(const Cells& cells, const Comp3dPlace& at);
     Result<void> take_sighting(const Cells& cells, const Comp3dPlace& at);
     Result<void> take_pair(const Cells& cells, const Comp3dPlace& at);
+    Result<void> take_position(const Cells& cells, const Comp3dPlace& at);
     Result<void> take_subfile(int code, const Cells& cells, const Comp3dPlace& at);
 
     const Neighbours& beside_;

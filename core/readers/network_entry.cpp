@@ -118,7 +118,7 @@ void NetworkEntry::write_figures(Setup& setup) const {
     TableRows frame_rows(table_of(network_adjustment, "frames"));
     for (const NetworkFrame& frame : frames)
         frame_rows.add({{"name", frame.name},
-                        {"shape", std::string("frame")},
+                        {"shape", frame.shape},
                         {"scale", std::string("fixed")},
                         {"u_tilt", number_cell(frame.u_of_tilt)}});
     TableRows stations(table_of(network_adjustment, "stations"));

@@ -44,6 +44,7 @@ struct NetworkCorrelation {
 struct NetworkFrame {
     std::string name = {};
     std::optional<double> u_of_tilt = {};  ///< rad; empty: it leans as it will
+    std::string shape = "frame";           ///< or "plane"
 };
 
 /// An effect of an instrument on all of its readings.

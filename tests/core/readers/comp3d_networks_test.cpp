@@ -28,7 +28,7 @@ json results_of(const std::string& example) {
 }
 
 /// Holds coordinates, sigma 0, redundancy and standard deviations against those of Comp3D.
-void hold(const std::string& example, const std::string& file, double printed) {
+void hold(const std::string& example, const std::string& file, double printed, double of_sigma0 = 1e-6) {
     SCOPED_TRACE(example + "/" + file);
     const AdjustedImport here = adjusted(import(examples / example / file));
     const json results = results_of(example);
@@ -38,12 +38,14 @@ void hold(const std::string& example, const std::string& file, double printed) {
               computed["nbr_active_obs"].get<int>() - computed["nbr_parameters"].get<int>())
         << here.found;
     const double sigma0 = computed["sigma_0_final"].get<double>();
-    EXPECT_NEAR(here.s0, sigma0, 1e-6 * sigma0);
+    EXPECT_NEAR(here.s0, sigma0, of_sigma0 * sigma0);
     std::size_t held = 0;
     for (const auto& [name, point] : results["points"].items())
         for (const auto& [key, parameter] : point["params"].items()) {
             const std::size_t axis = std::string("xyz").find(key.back());
             if (key.size() != name.size() + 2 || axis == std::string::npos) continue;
+            if (name.starts_with("axe"))
+                continue;  // a point on an axis, where ours has the middle of a circle
             ASSERT_TRUE(here.estimate.contains(key)) << key << "\n" << here.found;
             EXPECT_NEAR(here.estimate.at(key), point["coord_compensated_georef"][axis].get<double>(), printed)
                 << key;
@@ -69,21 +71,16 @@ TEST_F(Comp3dExamples, AgreeWithItsOwnResults) {
         hold("corcov", file, 1e-7);
     }
     for (const char* file : {"ex.obs", "ex_ref.comp"}) hold("minimal", file, 1e-7);
+    // It prints 0.1 mm there, and ends its search where sigma 0 changes by less than 1e-3: ours is less.
+    hold("axe", "obs.obs", 5e-6, 1e-3);
 }
 
-TEST_F(Comp3dExamples, WithNothingToAdjustAreQuantitiesOrPoints) {
+TEST_F(Comp3dExamples, WithNothingToAdjustAreQuantities) {
     const auto fixed = import(examples / "fixed_points/obs.obs");
     ASSERT_TRUE(fixed);
     EXPECT_EQ(errors_of(*fixed), "");
     EXPECT_NE(all_found(*fixed).find("would change none of its points"), std::string::npos)
         << all_found(*fixed);
-    const auto axis = import(examples / "axe/obs.obs");
-    ASSERT_TRUE(axis) << axis.error().message.english();
-    EXPECT_EQ(errors_of(*axis), "");
-    const std::string said = all_found(*axis);
-    EXPECT_NE(said.find("1 a rotation axis, axe1"), std::string::npos) << said;
-    EXPECT_NE(said.find("@obs2.axe"), std::string::npos) << said;
-    ASSERT_EQ(axis->assets.size(), 1u);
 }
 
 /// A sphere with points over the plane that touches it at (0, 0), written without the code under test.
