@@ -21020,6 +21020,250 @@ nu 18 detrás de cualquiera de ellos: grados de libertad</translation>
         <source>sight with an outlier</source>
         <translation>visual con un valor atípico</translation>
     </message>
+    <message>
+        <source>the file %1 must be named relative to the folder of the file that names it, and lie in it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file %1 is a link that leads out of its folder: put the file itself there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>points with coordinates of their own are fixed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>coordinates of stations are what the instrument was told: they are the datum, by which readings are not pressed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no coordinates tell where the network is and how it is turned: it is free, all of its points are the datum</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rounds repeat: one reading has s = %1 mgon in directions, %2 mgon in zenith angles, %3 mm in distances (nu = %4, %5, %6). What all rounds have in common is not in that: centring, weather, the instrument&apos;s own errors</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing is repeated, and the file does not say what the instrument is worth: 1 mgon of an angle, 2 mm + 2 ppm of a distance are taken; type what its data sheet says</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a sight of %1 to itself</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>coordinates of stations are what the instrument was told: they are approximate ones beside %1 points with coordinates of their own, which are fixed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a network of %1 points with %2 readings from %3 set-ups in %4 rounds, which is adjusted: x east, y north; points that nothing tells are left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sights in both faces: index and collimation are unknown, and follow from the readings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>heights of instrument and targets: sights there and back close without them, and not with them; points are where the axes and the reflectors were</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file has no heights of instrument and targets: points are where the axes and the reflectors were</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the curvature of the Earth counts in zenith angles, with a refraction coefficient of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 sights have no distance: their angles are taken</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 – %2: the part of its standard deviation that depends on the distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>own frames whose targets have no coordinates are taken as they are: the curvature of the Earth and heights change them by up to %1 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: an instrument that leans at a point with other readings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: a target above its point in a frame that leans</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>baselines of GNSS from %1: they are geocentric</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>equal height differences whose size is not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, line %2: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a file that it includes: %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file %1 includes itself, or too many one in another</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>too many observations: divide the file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1; a file that it includes: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>where the origin of the axis is along it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a target, a position, a point and two standard deviations are expected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>two points and a standard deviation are expected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a target with three figures and their standard deviations is expected, there are %1 columns</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a rotation axis, %1: circles about an axis are not part of a network here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 rotation axes with one target each: the circle is a plane with a point in its middle, as far from all positions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the file says that %2 is not to be used</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2 has no such coordinate, as its code says</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: it has no standard deviation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: it is not positive</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>readings are reduced to the plane of the coordinates, from a sphere of %1 km on which heights stand: %2 lengths by up to %3 mm, %4 angles by up to %5 mgon</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 readings are switched off in the file: they are in the table as left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>point %1 again: it is as in line %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the covariance of %1 and %2 is missing, or no number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the covariance of %2 constrained coordinates, in place of their standard deviations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 coordinates are constrained without a standard deviation: they are fixed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the projection %1: its scale and the convergence of its meridians are not taken off the readings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>internal constraints: no coordinate is constrained, those that are not remote are the datum</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 points that no reading names, %2 the first of them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a network of %1 points with %2 readings, which is adjusted; points that nothing tells are left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Comp3D multiplies standard deviations by its sigma 0: for these choose uncertainties as seen, one factor s_0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the stated unit of lengths: Comp3D has metres</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>observations of %1 with the coordinates of %2, in metres: x east, y north, z the height</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a simulation: the values of its observations are none that were read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no network: the readings of the file would change none of its points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no network: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no network: there is no file of coordinates of the same name (.cor) beside it, nor a single one with its points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>settings of the computation from %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no settings beside it (.comp): latitude 48.8°, refraction 0.12, as Comp3D has them at first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the settings name no files of coordinates and observations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, which the settings name, must lie beside them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>settings of Comp3D begin with data = {</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no settings of Comp3D: a part &quot;config&quot; is expected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the latitude or the refraction coefficient is none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Comp3D settings</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui</name>
@@ -21545,6 +21789,18 @@ nu 18 detrás de cualquiera de ellos: grados de libertad</translation>
         <source>Distribution that Monte Carlo draws</source>
         <translation>Distribución de la que extrae Monte Carlo</translation>
     </message>
+    <message>
+        <source>not met: %1 of %2</source>
+        <translation type="unfinished">no cumplidos: %1 de %2</translation>
+    </message>
+    <message>
+        <source>not decided: %1 of %2</source>
+        <translation type="unfinished">sin decidir: %1 de %2</translation>
+    </message>
+    <message>
+        <source>all %1 met</source>
+        <translation type="unfinished">los %1 cumplidos</translation>
+    </message>
 </context>
 <context>
     <name>covaria::ui::AllResultsModel</name>
@@ -21713,22 +21969,6 @@ nu 18 detrás de cualquiera de ellos: grados de libertad</translation>
     <message>
         <source>Show the Field</source>
         <translation>Mostrar el campo</translation>
-    </message>
-    <message>
-        <source>not met: %1 of %2</source>
-        <translation>no cumplidos: %1 de %2</translation>
-    </message>
-    <message>
-        <source>not decided: %1 of %2</source>
-        <translation>sin decidir: %1 de %2</translation>
-    </message>
-    <message>
-        <source>met</source>
-        <translation>cumplido</translation>
-    </message>
-    <message>
-        <source>all %1 met</source>
-        <translation>los %1 cumplidos</translation>
     </message>
 </context>
 <context>

@@ -39,12 +39,12 @@ private:
         return e;
     }
 
-    /// The vector (J₀ᵀ C⁻¹ J)⁻ᵀ e, in steps with the factor at the estimates: where J is J₀ the first step is
-    /// the last.
+    /// The vector (J₀ᵀ C⁻¹ J)⁻ᵀ e, in steps with the factor at the estimates. Where J is J₀ there is one
+    /// step, which takes away what the factor has rounded.
     Eigen::VectorXd implied(const Eigen::VectorXd& e) const {
-        constexpr int most_steps = 30;
+        const int most_steps = is_at_estimates_ ? 1 : 30;
         Eigen::VectorXd z = network_.adjusted->cofactors(e);
-        for (int k = 0; k < most_steps && !is_at_estimates_; ++k) {
+        for (int k = 0; k < most_steps; ++k) {
             const Eigen::VectorXd forward = weighted_ * z;
             const Eigen::VectorXd left = e - design_.transpose() * forward;
             const Eigen::VectorXd change = network_.adjusted->cofactors(left);

@@ -24,10 +24,10 @@ TEST(DecidedRows, HaveTheWordsBeforeTheFiguresAsTheirSubject) {
     ASSERT_EQ(rows.size(), 2u);
     EXPECT_EQ(to_unicode(rows[0].subject), "Decisions: P1, length");
     EXPECT_EQ(rows[0].verdict.is, TestVerdict::Is::not_met);
-    EXPECT_EQ(to_unicode(rows[0].figures), "E = 12.3 µm, limit = 10 µm");
+    EXPECT_EQ(to_unicode(rows[0].figures), "E = 12.3\u00a0µm, limit = 10\u00a0µm");
     EXPECT_EQ(to_unicode(rows[1].subject), "Decisions: P2, length");
     EXPECT_EQ(rows[1].verdict.words.english(), "not decided");
-    EXPECT_EQ(to_unicode(rows[1].figures), "E = 1.0 µm");
+    EXPECT_EQ(to_unicode(rows[1].figures), "E = 1.0\u00a0µm");
 }
 
 }  // namespace
