@@ -21022,247 +21022,247 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     </message>
     <message>
         <source>the file %1 must be named relative to the folder of the file that names it, and lie in it</source>
-        <translation type="unfinished"></translation>
+        <translation>die Datei %1 muss relativ zum Ordner der Datei angegeben sein, die sie nennt, und darin liegen</translation>
     </message>
     <message>
         <source>the file %1 is a link that leads out of its folder: put the file itself there</source>
-        <translation type="unfinished"></translation>
+        <translation>die Datei %1 ist eine Verknüpfung, die aus ihrem Ordner hinausführt: legen Sie die Datei selbst dorthin</translation>
     </message>
     <message>
         <source>points with coordinates of their own are fixed</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte mit eigenen Koordinaten sind fest</translation>
     </message>
     <message>
         <source>coordinates of stations are what the instrument was told: they are the datum, by which readings are not pressed</source>
-        <translation type="unfinished"></translation>
+        <translation>Koordinaten von Standpunkten sind, was dem Messgerät eingegeben wurde: sie sind das Datum, das auf die Ablesungen keinen Zwang ausübt</translation>
     </message>
     <message>
         <source>no coordinates tell where the network is and how it is turned: it is free, all of its points are the datum</source>
-        <translation type="unfinished"></translation>
+        <translation>keine Koordinaten sagen, wo das Netz liegt und wie es gedreht ist: es ist frei, alle seine Punkte sind das Datum</translation>
     </message>
     <message>
         <source>rounds repeat: one reading has s = %1 mgon in directions, %2 mgon in zenith angles, %3 mm in distances (nu = %4, %5, %6). What all rounds have in common is not in that: centring, weather, the instrument&apos;s own errors</source>
-        <translation type="unfinished"></translation>
+        <translation>Sätze wiederholen sich: eine Ablesung hat s = %1 mgon bei Richtungen, %2 mgon bei Zenitwinkeln, %3 mm bei Distanzen (nu = %4, %5, %6). Was alle Sätze gemeinsam haben, ist darin nicht enthalten: Zentrierung, Wetter, die eigenen Abweichungen des Messgeräts</translation>
     </message>
     <message>
         <source>nothing is repeated, and the file does not say what the instrument is worth: 1 mgon of an angle, 2 mm + 2 ppm of a distance are taken; type what its data sheet says</source>
-        <translation type="unfinished"></translation>
+        <translation>nichts ist wiederholt, und die Datei sagt nicht, was das Messgerät wert ist: angenommen werden 1 mgon für einen Winkel, 2 mm + 2 ppm für eine Distanz; eingeben, was sein Datenblatt sagt</translation>
     </message>
     <message>
         <source>a sight of %1 to itself</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Zielung von %1 zu sich selbst</translation>
     </message>
     <message>
         <source>coordinates of stations are what the instrument was told: they are approximate ones beside %1 points with coordinates of their own, which are fixed</source>
-        <translation type="unfinished"></translation>
+        <translation>Koordinaten von Standpunkten sind, was dem Messgerät eingegeben wurde: sie sind Näherungen neben %1 Punkten mit eigenen Koordinaten, die fest sind</translation>
     </message>
     <message>
         <source>a network of %1 points with %2 readings from %3 set-ups in %4 rounds, which is adjusted: x east, y north; points that nothing tells are left out</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Netz aus %1 Punkten mit %2 Ablesungen von %3 Aufstellungen in %4 Sätzen, das ausgeglichen wird: x Ost, y Nord; unbestimmte Punkte werden weggelassen</translation>
     </message>
     <message>
         <source>sights in both faces: index and collimation are unknown, and follow from the readings</source>
-        <translation type="unfinished"></translation>
+        <translation>Zielungen in beiden Lagen: Index und Zielachsfehler sind unbekannt und folgen aus den Ablesungen</translation>
     </message>
     <message>
         <source>heights of instrument and targets: sights there and back close without them, and not with them; points are where the axes and the reflectors were</source>
-        <translation type="unfinished"></translation>
+        <translation>Höhen von Messgerät und Zielpunkten: Zielungen hin und zurück schließen ohne sie und mit ihnen nicht; die Punkte sind dort, wo die Achsen und die Reflektoren waren</translation>
     </message>
     <message>
         <source>the file has no heights of instrument and targets: points are where the axes and the reflectors were</source>
-        <translation type="unfinished"></translation>
+        <translation>die Datei hat keine Höhen von Messgerät und Zielpunkten: die Punkte sind dort, wo die Achsen und die Reflektoren waren</translation>
     </message>
     <message>
         <source>the curvature of the Earth counts in zenith angles, with a refraction coefficient of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>die Erdkrümmung zählt bei Zenitwinkeln, mit einem Refraktionskoeffizienten von %1</translation>
     </message>
     <message>
         <source>%1 sights have no distance: their angles are taken</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Zielungen haben keine Distanz: ihre Winkel werden übernommen</translation>
     </message>
     <message>
         <source>%1 – %2: the part of its standard deviation that depends on the distance</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 – %2: der Teil der Standardabweichung, der von der Distanz abhängt</translation>
     </message>
     <message>
         <source>own frames whose targets have no coordinates are taken as they are: the curvature of the Earth and heights change them by up to %1 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>eigene Systeme, deren Zielpunkte keine Koordinaten haben, werden übernommen, wie sie sind: die Erdkrümmung und Höhen ändern sie um bis zu %1 mm</translation>
     </message>
     <message>
         <source>%1: an instrument that leans at a point with other readings</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: ein geneigtes Messgerät in einem Punkt mit anderen Ablesungen</translation>
     </message>
     <message>
         <source>%1: a target above its point in a frame that leans</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: ein Zielpunkt über seinem Punkt in einem geneigten System</translation>
     </message>
     <message>
         <source>baselines of GNSS from %1: they are geocentric</source>
-        <translation type="unfinished"></translation>
+        <translation>GNSS-Basislinien von %1: sie sind geozentrisch</translation>
     </message>
     <message>
         <source>equal height differences whose size is not known</source>
-        <translation type="unfinished"></translation>
+        <translation>gleiche Höhenunterschiede, deren Größe nicht bekannt ist</translation>
     </message>
     <message>
         <source>%1, line %2: %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, Zeile %2: %3</translation>
     </message>
     <message>
         <source>a file that it includes: %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Datei, die sie einbindet: %1: %2</translation>
     </message>
     <message>
         <source>the file %1 includes itself, or too many one in another</source>
-        <translation type="unfinished"></translation>
+        <translation>die Datei %1 bindet sich selbst ein, oder zu viele sind ineinander eingebunden</translation>
     </message>
     <message>
         <source>too many observations: divide the file</source>
-        <translation type="unfinished"></translation>
+        <translation>zu viele Beobachtungen: die Datei aufteilen</translation>
     </message>
     <message>
         <source>%1; a file that it includes: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1; eine Datei, die sie einbindet: %2</translation>
     </message>
     <message>
         <source>where the origin of the axis is along it</source>
-        <translation type="unfinished"></translation>
+        <translation>wo der Ursprung der Achse längs von ihr liegt</translation>
     </message>
     <message>
         <source>a target, a position, a point and two standard deviations are expected</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Zielpunkt, eine Position, ein Punkt und zwei Standardabweichungen werden erwartet</translation>
     </message>
     <message>
         <source>two points and a standard deviation are expected</source>
-        <translation type="unfinished"></translation>
+        <translation>zwei Punkte und eine Standardabweichung werden erwartet</translation>
     </message>
     <message>
         <source>a target with three figures and their standard deviations is expected, there are %1 columns</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Zielpunkt mit drei Zahlen und ihren Standardabweichungen wird erwartet, es sind %1 Spalten</translation>
     </message>
     <message>
         <source>a rotation axis, %1: circles about an axis are not part of a network here</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Drehachse, %1: Kreise um eine Achse sind hier nicht Teil eines Netzes</translation>
     </message>
     <message>
         <source>%1 rotation axes with one target each: the circle is a plane with a point in its middle, as far from all positions</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Drehachsen mit je einem Zielpunkt: der Kreis ist eine Ebene mit einem Punkt in seiner Mitte, der von allen Positionen gleich weit entfernt ist</translation>
     </message>
     <message>
         <source>%1: the file says that %2 is not to be used</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: die Datei sagt, dass %2 nicht verwendet werden soll</translation>
     </message>
     <message>
         <source>%1: %2 has no such coordinate, as its code says</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2 hat keine solche Koordinate, wie sein Code sagt</translation>
     </message>
     <message>
         <source>%1: it has no standard deviation</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: ohne Standardabweichung</translation>
     </message>
     <message>
         <source>%1: it is not positive</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: nicht positiv</translation>
     </message>
     <message>
         <source>readings are reduced to the plane of the coordinates, from a sphere of %1 km on which heights stand: %2 lengths by up to %3 mm, %4 angles by up to %5 mgon</source>
-        <translation type="unfinished"></translation>
+        <translation>Ablesungen werden auf die Ebene der Koordinaten reduziert, von einer Kugel mit %1 km, auf der die Höhen stehen: %2 Längen um bis zu %3 mm, %4 Winkel um bis zu %5 mgon</translation>
     </message>
     <message>
         <source>%1 readings are switched off in the file: they are in the table as left out</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Ablesungen sind in der Datei abgeschaltet: sie stehen als weggelassen in der Tabelle</translation>
     </message>
     <message>
         <source>point %1 again: it is as in line %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkt %1 noch einmal: er ist wie in Zeile %2</translation>
     </message>
     <message>
         <source>the covariance of %1 and %2 is missing, or no number</source>
-        <translation type="unfinished"></translation>
+        <translation>die Kovarianz von %1 und %2 fehlt oder ist keine Zahl</translation>
     </message>
     <message>
         <source>%1: the covariance of %2 constrained coordinates, in place of their standard deviations</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: die Kovarianz von %2 festgelegten Koordinaten, anstelle ihrer Standardabweichungen</translation>
     </message>
     <message>
         <source>%1 coordinates are constrained without a standard deviation: they are fixed</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Koordinaten sind ohne Standardabweichung festgelegt: sie sind fest</translation>
     </message>
     <message>
         <source>the projection %1: its scale and the convergence of its meridians are not taken off the readings</source>
-        <translation type="unfinished"></translation>
+        <translation>die Projektion %1: ihr Maßstab und ihre Meridiankonvergenz werden von den Ablesungen nicht abgezogen</translation>
     </message>
     <message>
         <source>internal constraints: no coordinate is constrained, those that are not remote are the datum</source>
-        <translation type="unfinished"></translation>
+        <translation>innere Bedingungen: keine Koordinate ist festgelegt, die nicht entfernten sind das Datum</translation>
     </message>
     <message>
         <source>%1 points that no reading names, %2 the first of them</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Punkte, die keine Ablesung nennt, der erste davon %2</translation>
     </message>
     <message>
         <source>a network of %1 points with %2 readings, which is adjusted; points that nothing tells are left out</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Netz aus %1 Punkten mit %2 Ablesungen, das ausgeglichen wird; unbestimmte Punkte werden weggelassen</translation>
     </message>
     <message>
         <source>Comp3D multiplies standard deviations by its sigma 0: for these choose uncertainties as seen, one factor s_0</source>
-        <translation type="unfinished"></translation>
+        <translation>Comp3D multipliziert Standardabweichungen mit seinem Sigma 0: dafür Unsicherheiten wie gesehen, ein Faktor s_0, wählen</translation>
     </message>
     <message>
         <source>the stated unit of lengths: Comp3D has metres</source>
-        <translation type="unfinished"></translation>
+        <translation>die angegebene Längeneinheit: Comp3D hat Meter</translation>
     </message>
     <message>
         <source>observations of %1 with the coordinates of %2, in metres: x east, y north, z the height</source>
-        <translation type="unfinished"></translation>
+        <translation>Beobachtungen von %1 mit den Koordinaten von %2, in Metern: x Ost, y Nord, z die Höhe</translation>
     </message>
     <message>
         <source>a simulation: the values of its observations are none that were read</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Simulation: die Werte ihrer Beobachtungen sind keine abgelesenen</translation>
     </message>
     <message>
         <source>no network: the readings of the file would change none of its points</source>
-        <translation type="unfinished"></translation>
+        <translation>kein Netz: die Ablesungen der Datei würden keinen ihrer Punkte ändern</translation>
     </message>
     <message>
         <source>no network: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>kein Netz: %1</translation>
     </message>
     <message>
         <source>no network: there is no file of coordinates of the same name (.cor) beside it, nor a single one with its points</source>
-        <translation type="unfinished"></translation>
+        <translation>kein Netz: daneben gibt es keine Koordinatendatei mit demselben Namen (.cor), auch keine einzelne mit ihren Punkten</translation>
     </message>
     <message>
         <source>settings of the computation from %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Einstellungen der Berechnung aus %1</translation>
     </message>
     <message>
         <source>no settings beside it (.comp): latitude 48.8°, refraction 0.12, as Comp3D has them at first</source>
-        <translation type="unfinished"></translation>
+        <translation>keine Einstellungen daneben (.comp): Breite 48.8°, Refraktion 0.12, wie Comp3D sie anfangs hat</translation>
     </message>
     <message>
         <source>the settings name no files of coordinates and observations</source>
-        <translation type="unfinished"></translation>
+        <translation>die Einstellungen nennen keine Dateien mit Koordinaten und Beobachtungen</translation>
     </message>
     <message>
         <source>%1, which the settings name, must lie beside them</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, in den Einstellungen genannt, muss daneben liegen</translation>
     </message>
     <message>
         <source>settings of Comp3D begin with data = {</source>
-        <translation type="unfinished"></translation>
+        <translation>Einstellungen von Comp3D beginnen mit data = {</translation>
     </message>
     <message>
         <source>no settings of Comp3D: a part &quot;config&quot; is expected</source>
-        <translation type="unfinished"></translation>
+        <translation>keine Einstellungen von Comp3D: ein Teil &quot;config&quot; wird erwartet</translation>
     </message>
     <message>
         <source>the latitude or the refraction coefficient is none</source>
-        <translation type="unfinished"></translation>
+        <translation>die Breite oder der Refraktionskoeffizient ist ungültig</translation>
     </message>
     <message>
         <source>Comp3D settings</source>
-        <translation type="unfinished"></translation>
+        <translation>Comp3D-Einstellungen</translation>
     </message>
 </context>
 <context>
@@ -21791,15 +21791,15 @@ nu 18 hinter jedem davon: Freiheitsgrade</translation>
     </message>
     <message>
         <source>not met: %1 of %2</source>
-        <translation type="unfinished">nicht erfüllt: %1 von %2</translation>
+        <translation>nicht erfüllt: %1 von %2</translation>
     </message>
     <message>
         <source>not decided: %1 of %2</source>
-        <translation type="unfinished">nicht entschieden: %1 von %2</translation>
+        <translation>nicht entschieden: %1 von %2</translation>
     </message>
     <message>
         <source>all %1 met</source>
-        <translation type="unfinished">alle %1 erfüllt</translation>
+        <translation>alle %1 erfüllt</translation>
     </message>
 </context>
 <context>

@@ -21022,247 +21022,247 @@ nu 18 detrás de cualquiera de ellos: grados de libertad</translation>
     </message>
     <message>
         <source>the file %1 must be named relative to the folder of the file that names it, and lie in it</source>
-        <translation type="unfinished"></translation>
+        <translation>el archivo %1 debe nombrarse en relación con la carpeta del archivo que lo nombra, y estar en ella</translation>
     </message>
     <message>
         <source>the file %1 is a link that leads out of its folder: put the file itself there</source>
-        <translation type="unfinished"></translation>
+        <translation>el archivo %1 es un enlace que lleva fuera de su carpeta: ponga allí el archivo mismo</translation>
     </message>
     <message>
         <source>points with coordinates of their own are fixed</source>
-        <translation type="unfinished"></translation>
+        <translation>los puntos con coordenadas propias son fijos</translation>
     </message>
     <message>
         <source>coordinates of stations are what the instrument was told: they are the datum, by which readings are not pressed</source>
-        <translation type="unfinished"></translation>
+        <translation>las coordenadas de las estaciones son las que se introdujeron en el instrumento: son el datum, que no fuerza las lecturas</translation>
     </message>
     <message>
         <source>no coordinates tell where the network is and how it is turned: it is free, all of its points are the datum</source>
-        <translation type="unfinished"></translation>
+        <translation>ninguna coordenada dice dónde está la red ni cómo está girada: es libre, todos sus puntos son el datum</translation>
     </message>
     <message>
         <source>rounds repeat: one reading has s = %1 mgon in directions, %2 mgon in zenith angles, %3 mm in distances (nu = %4, %5, %6). What all rounds have in common is not in that: centring, weather, the instrument&apos;s own errors</source>
-        <translation type="unfinished"></translation>
+        <translation>las series se repiten: una lectura tiene s = %1 mgon en direcciones, %2 mgon en ángulos cenitales, %3 mm en distancias (nu = %4, %5, %6). Lo que todas las series tienen en común no está incluido: centrado, condiciones meteorológicas, errores propios del instrumento</translation>
     </message>
     <message>
         <source>nothing is repeated, and the file does not say what the instrument is worth: 1 mgon of an angle, 2 mm + 2 ppm of a distance are taken; type what its data sheet says</source>
-        <translation type="unfinished"></translation>
+        <translation>nada se repite, y el archivo no dice lo que vale el instrumento: se toman 1 mgon para un ángulo, 2 mm + 2 ppm para una distancia; teclee lo que dice su hoja de datos</translation>
     </message>
     <message>
         <source>a sight of %1 to itself</source>
-        <translation type="unfinished"></translation>
+        <translation>una visual de %1 a sí mismo</translation>
     </message>
     <message>
         <source>coordinates of stations are what the instrument was told: they are approximate ones beside %1 points with coordinates of their own, which are fixed</source>
-        <translation type="unfinished"></translation>
+        <translation>las coordenadas de las estaciones son las que se introdujeron en el instrumento: son aproximadas, junto a %1 puntos con coordenadas propias, que son fijos</translation>
     </message>
     <message>
         <source>a network of %1 points with %2 readings from %3 set-ups in %4 rounds, which is adjusted: x east, y north; points that nothing tells are left out</source>
-        <translation type="unfinished"></translation>
+        <translation>una red de %1 puntos con %2 lecturas desde %3 estacionamientos en %4 series, que se compensa: x este, y norte; los puntos que nada determina se omiten</translation>
     </message>
     <message>
         <source>sights in both faces: index and collimation are unknown, and follow from the readings</source>
-        <translation type="unfinished"></translation>
+        <translation>visuales en ambas caras: el índice y la colimación son incógnitas, y resultan de las lecturas</translation>
     </message>
     <message>
         <source>heights of instrument and targets: sights there and back close without them, and not with them; points are where the axes and the reflectors were</source>
-        <translation type="unfinished"></translation>
+        <translation>alturas del instrumento y de las dianas: las visuales de ida y vuelta cierran sin ellas, y no con ellas; los puntos están donde estaban los ejes y los reflectores</translation>
     </message>
     <message>
         <source>the file has no heights of instrument and targets: points are where the axes and the reflectors were</source>
-        <translation type="unfinished"></translation>
+        <translation>el archivo no tiene alturas del instrumento ni de las dianas: los puntos están donde estaban los ejes y los reflectores</translation>
     </message>
     <message>
         <source>the curvature of the Earth counts in zenith angles, with a refraction coefficient of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>la curvatura de la Tierra cuenta en los ángulos cenitales, con un coeficiente de refracción de %1</translation>
     </message>
     <message>
         <source>%1 sights have no distance: their angles are taken</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 visuales no tienen distancia: se toman sus ángulos</translation>
     </message>
     <message>
         <source>%1 – %2: the part of its standard deviation that depends on the distance</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 – %2: la parte de su desviación típica que depende de la distancia</translation>
     </message>
     <message>
         <source>own frames whose targets have no coordinates are taken as they are: the curvature of the Earth and heights change them by up to %1 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>los sistemas propios cuyas dianas no tienen coordenadas se toman como están: la curvatura de la Tierra y las alturas los cambian hasta en %1 mm</translation>
     </message>
     <message>
         <source>%1: an instrument that leans at a point with other readings</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: un instrumento inclinado en un punto con otras lecturas</translation>
     </message>
     <message>
         <source>%1: a target above its point in a frame that leans</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: una diana por encima de su punto en un sistema inclinado</translation>
     </message>
     <message>
         <source>baselines of GNSS from %1: they are geocentric</source>
-        <translation type="unfinished"></translation>
+        <translation>líneas base de GNSS de %1: son geocéntricas</translation>
     </message>
     <message>
         <source>equal height differences whose size is not known</source>
-        <translation type="unfinished"></translation>
+        <translation>desniveles iguales cuya magnitud no se conoce</translation>
     </message>
     <message>
         <source>%1, line %2: %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, línea %2: %3</translation>
     </message>
     <message>
         <source>a file that it includes: %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>un archivo que incluye: %1: %2</translation>
     </message>
     <message>
         <source>the file %1 includes itself, or too many one in another</source>
-        <translation type="unfinished"></translation>
+        <translation>el archivo %1 se incluye a sí mismo, o hay demasiados incluidos uno en otro</translation>
     </message>
     <message>
         <source>too many observations: divide the file</source>
-        <translation type="unfinished"></translation>
+        <translation>demasiadas observaciones: divida el archivo</translation>
     </message>
     <message>
         <source>%1; a file that it includes: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1; un archivo que incluye: %2</translation>
     </message>
     <message>
         <source>where the origin of the axis is along it</source>
-        <translation type="unfinished"></translation>
+        <translation>dónde está el origen del eje a lo largo de él</translation>
     </message>
     <message>
         <source>a target, a position, a point and two standard deviations are expected</source>
-        <translation type="unfinished"></translation>
+        <translation>se esperan una diana, una posición, un punto y dos desviaciones típicas</translation>
     </message>
     <message>
         <source>two points and a standard deviation are expected</source>
-        <translation type="unfinished"></translation>
+        <translation>se esperan dos puntos y una desviación típica</translation>
     </message>
     <message>
         <source>a target with three figures and their standard deviations is expected, there are %1 columns</source>
-        <translation type="unfinished"></translation>
+        <translation>se espera una diana con tres cifras y sus desviaciones típicas, hay %1 columnas</translation>
     </message>
     <message>
         <source>a rotation axis, %1: circles about an axis are not part of a network here</source>
-        <translation type="unfinished"></translation>
+        <translation>un eje de rotación, %1: los círculos alrededor de un eje no forman parte aquí de una red</translation>
     </message>
     <message>
         <source>%1 rotation axes with one target each: the circle is a plane with a point in its middle, as far from all positions</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ejes de rotación con una diana cada uno: el círculo es un plano con un punto en su centro, a igual distancia de todas las posiciones</translation>
     </message>
     <message>
         <source>%1: the file says that %2 is not to be used</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: el archivo dice que %2 no debe usarse</translation>
     </message>
     <message>
         <source>%1: %2 has no such coordinate, as its code says</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2 no tiene tal coordenada, como dice su código</translation>
     </message>
     <message>
         <source>%1: it has no standard deviation</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: no tiene desviación típica</translation>
     </message>
     <message>
         <source>%1: it is not positive</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: no es un valor positivo</translation>
     </message>
     <message>
         <source>readings are reduced to the plane of the coordinates, from a sphere of %1 km on which heights stand: %2 lengths by up to %3 mm, %4 angles by up to %5 mgon</source>
-        <translation type="unfinished"></translation>
+        <translation>las lecturas se reducen al plano de las coordenadas, desde una esfera de %1 km sobre la que se cuentan las alturas: %2 longitudes hasta en %3 mm, %4 ángulos hasta en %5 mgon</translation>
     </message>
     <message>
         <source>%1 readings are switched off in the file: they are in the table as left out</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 lecturas están desactivadas en el archivo: figuran en la tabla como omitidas</translation>
     </message>
     <message>
         <source>point %1 again: it is as in line %2</source>
-        <translation type="unfinished"></translation>
+        <translation>el punto %1 otra vez: queda como en la línea %2</translation>
     </message>
     <message>
         <source>the covariance of %1 and %2 is missing, or no number</source>
-        <translation type="unfinished"></translation>
+        <translation>la covarianza de %1 y %2 falta, o no es un número</translation>
     </message>
     <message>
         <source>%1: the covariance of %2 constrained coordinates, in place of their standard deviations</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: la covarianza de %2 coordenadas restringidas, en lugar de sus desviaciones típicas</translation>
     </message>
     <message>
         <source>%1 coordinates are constrained without a standard deviation: they are fixed</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 coordenadas están restringidas sin desviación típica: son fijas</translation>
     </message>
     <message>
         <source>the projection %1: its scale and the convergence of its meridians are not taken off the readings</source>
-        <translation type="unfinished"></translation>
+        <translation>la proyección %1: su escala y la convergencia de sus meridianos no se descuentan de las lecturas</translation>
     </message>
     <message>
         <source>internal constraints: no coordinate is constrained, those that are not remote are the datum</source>
-        <translation type="unfinished"></translation>
+        <translation>restricciones internas: ninguna coordenada está restringida, las que no son lejanas son el datum</translation>
     </message>
     <message>
         <source>%1 points that no reading names, %2 the first of them</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 puntos que ninguna lectura nombra, el primero de ellos %2</translation>
     </message>
     <message>
         <source>a network of %1 points with %2 readings, which is adjusted; points that nothing tells are left out</source>
-        <translation type="unfinished"></translation>
+        <translation>una red de %1 puntos con %2 lecturas, que se compensa; los puntos que nada determina se omiten</translation>
     </message>
     <message>
         <source>Comp3D multiplies standard deviations by its sigma 0: for these choose uncertainties as seen, one factor s_0</source>
-        <translation type="unfinished"></translation>
+        <translation>Comp3D multiplica las desviaciones típicas por su sigma 0: para estas elija las incertidumbres observadas, un solo factor s_0</translation>
     </message>
     <message>
         <source>the stated unit of lengths: Comp3D has metres</source>
-        <translation type="unfinished"></translation>
+        <translation>la unidad de longitud indicada: Comp3D usa metros</translation>
     </message>
     <message>
         <source>observations of %1 with the coordinates of %2, in metres: x east, y north, z the height</source>
-        <translation type="unfinished"></translation>
+        <translation>observaciones de %1 con las coordenadas de %2, en metros: x este, y norte, z la altura</translation>
     </message>
     <message>
         <source>a simulation: the values of its observations are none that were read</source>
-        <translation type="unfinished"></translation>
+        <translation>una simulación: los valores de sus observaciones no son valores leídos</translation>
     </message>
     <message>
         <source>no network: the readings of the file would change none of its points</source>
-        <translation type="unfinished"></translation>
+        <translation>sin red: las lecturas del archivo no cambiarían ninguno de sus puntos</translation>
     </message>
     <message>
         <source>no network: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>sin red: %1</translation>
     </message>
     <message>
         <source>no network: there is no file of coordinates of the same name (.cor) beside it, nor a single one with its points</source>
-        <translation type="unfinished"></translation>
+        <translation>sin red: junto a él no hay ningún archivo de coordenadas del mismo nombre (.cor), ni uno único con sus puntos</translation>
     </message>
     <message>
         <source>settings of the computation from %1</source>
-        <translation type="unfinished"></translation>
+        <translation>ajustes del cálculo de %1</translation>
     </message>
     <message>
         <source>no settings beside it (.comp): latitude 48.8°, refraction 0.12, as Comp3D has them at first</source>
-        <translation type="unfinished"></translation>
+        <translation>no hay ajustes junto a él (.comp): latitud 48.8°, refracción 0.12, como los tiene Comp3D al principio</translation>
     </message>
     <message>
         <source>the settings name no files of coordinates and observations</source>
-        <translation type="unfinished"></translation>
+        <translation>los ajustes no nombran archivos de coordenadas y observaciones</translation>
     </message>
     <message>
         <source>%1, which the settings name, must lie beside them</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, que los ajustes nombran, debe estar junto a ellos</translation>
     </message>
     <message>
         <source>settings of Comp3D begin with data = {</source>
-        <translation type="unfinished"></translation>
+        <translation>los ajustes de Comp3D empiezan por data = {</translation>
     </message>
     <message>
         <source>no settings of Comp3D: a part &quot;config&quot; is expected</source>
-        <translation type="unfinished"></translation>
+        <translation>no son ajustes de Comp3D: se espera una parte &quot;config&quot;</translation>
     </message>
     <message>
         <source>the latitude or the refraction coefficient is none</source>
-        <translation type="unfinished"></translation>
+        <translation>la latitud o el coeficiente de refracción no es válido</translation>
     </message>
     <message>
         <source>Comp3D settings</source>
-        <translation type="unfinished"></translation>
+        <translation>Ajustes de Comp3D</translation>
     </message>
 </context>
 <context>
@@ -21791,15 +21791,15 @@ nu 18 detrás de cualquiera de ellos: grados de libertad</translation>
     </message>
     <message>
         <source>not met: %1 of %2</source>
-        <translation type="unfinished">no cumplidos: %1 de %2</translation>
+        <translation>no cumplidos: %1 de %2</translation>
     </message>
     <message>
         <source>not decided: %1 of %2</source>
-        <translation type="unfinished">sin decidir: %1 de %2</translation>
+        <translation>no decididos: %1 de %2</translation>
     </message>
     <message>
         <source>all %1 met</source>
-        <translation type="unfinished">los %1 cumplidos</translation>
+        <translation>los %1 cumplidos</translation>
     </message>
 </context>
 <context>

@@ -21021,247 +21021,247 @@ sample 1; 2; 3 weights 2; 5; 2 (그대로 뽑음), histogram 0; 1; 2 weights 5; 
     </message>
     <message>
         <source>the file %1 must be named relative to the folder of the file that names it, and lie in it</source>
-        <translation type="unfinished"></translation>
+        <translation>파일 %1은(는) 그것을 지정한 파일의 폴더를 기준으로 이름을 쓰고 그 안에 있어야 합니다</translation>
     </message>
     <message>
         <source>the file %1 is a link that leads out of its folder: put the file itself there</source>
-        <translation type="unfinished"></translation>
+        <translation>파일 %1은(는) 그 폴더 밖으로 나가는 링크입니다: 파일 자체를 그곳에 두십시오</translation>
     </message>
     <message>
         <source>points with coordinates of their own are fixed</source>
-        <translation type="unfinished"></translation>
+        <translation>자체 좌표가 있는 점은 고정됩니다</translation>
     </message>
     <message>
         <source>coordinates of stations are what the instrument was told: they are the datum, by which readings are not pressed</source>
-        <translation type="unfinished"></translation>
+        <translation>스테이션의 좌표는 측정기에 입력된 값입니다. 이 좌표는 데이텀이며, 읽음값을 억지로 맞추지 않습니다</translation>
     </message>
     <message>
         <source>no coordinates tell where the network is and how it is turned: it is free, all of its points are the datum</source>
-        <translation type="unfinished"></translation>
+        <translation>망의 위치와 회전을 알려 주는 좌표가 없습니다. 자유망이며 모든 점이 데이텀입니다</translation>
     </message>
     <message>
         <source>rounds repeat: one reading has s = %1 mgon in directions, %2 mgon in zenith angles, %3 mm in distances (nu = %4, %5, %6). What all rounds have in common is not in that: centring, weather, the instrument&apos;s own errors</source>
-        <translation type="unfinished"></translation>
+        <translation>대회가 반복됩니다. 읽음값 하나의 s는 방향 s = %1 mgon, 천정각 %2 mgon, 거리 %3 mm입니다(nu = %4, %5, %6). 모든 대회에 공통인 것은 여기에 들어 있지 않습니다: 구심, 날씨, 측정기 자체의 오차</translation>
     </message>
     <message>
         <source>nothing is repeated, and the file does not say what the instrument is worth: 1 mgon of an angle, 2 mm + 2 ppm of a distance are taken; type what its data sheet says</source>
-        <translation type="unfinished"></translation>
+        <translation>반복된 것이 없고 파일은 측정기의 정도를 밝히지 않습니다. 각에는 1 mgon, 거리에는 2 mm + 2 ppm을 씁니다. 데이터 시트의 값을 입력하십시오</translation>
     </message>
     <message>
         <source>a sight of %1 to itself</source>
-        <translation type="unfinished"></translation>
+        <translation>%1에서 자기 자신으로의 시준</translation>
     </message>
     <message>
         <source>coordinates of stations are what the instrument was told: they are approximate ones beside %1 points with coordinates of their own, which are fixed</source>
-        <translation type="unfinished"></translation>
+        <translation>스테이션의 좌표는 측정기에 입력된 값입니다. 자체 좌표가 있어 고정된 점 %1개 외에 이 좌표는 근사값입니다</translation>
     </message>
     <message>
         <source>a network of %1 points with %2 readings from %3 set-ups in %4 rounds, which is adjusted: x east, y north; points that nothing tells are left out</source>
-        <translation type="unfinished"></translation>
+        <translation>점 %1개와 읽음값 %2개로 된 망, 설치 %3개, 대회 %4개, 조정됨: x는 동, y는 북. 알 수 없는 점은 뺍니다</translation>
     </message>
     <message>
         <source>sights in both faces: index and collimation are unknown, and follow from the readings</source>
-        <translation type="unfinished"></translation>
+        <translation>정위와 반위의 시준: 지표 오차와 시준 오차는 미지이며 읽음값에서 구합니다</translation>
     </message>
     <message>
         <source>heights of instrument and targets: sights there and back close without them, and not with them; points are where the axes and the reflectors were</source>
-        <translation type="unfinished"></translation>
+        <translation>측정기와 표적의 높이: 왕복 시준이 이 높이 없이는 폐합하고 이 높이를 쓰면 폐합하지 않습니다. 점은 축과 반사경이 있던 곳입니다</translation>
     </message>
     <message>
         <source>the file has no heights of instrument and targets: points are where the axes and the reflectors were</source>
-        <translation type="unfinished"></translation>
+        <translation>파일에 측정기와 표적의 높이가 없습니다. 점은 축과 반사경이 있던 곳입니다</translation>
     </message>
     <message>
         <source>the curvature of the Earth counts in zenith angles, with a refraction coefficient of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>천정각에서 지구의 곡률을 고려하며, 굴절 계수는 %1입니다</translation>
     </message>
     <message>
         <source>%1 sights have no distance: their angles are taken</source>
-        <translation type="unfinished"></translation>
+        <translation>시준 %1개에 거리가 없습니다. 그 각을 씁니다</translation>
     </message>
     <message>
         <source>%1 – %2: the part of its standard deviation that depends on the distance</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 – %2: 표준편차 가운데 거리에 따라 달라지는 부분</translation>
     </message>
     <message>
         <source>own frames whose targets have no coordinates are taken as they are: the curvature of the Earth and heights change them by up to %1 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>표적에 좌표가 없는 고유 좌표계는 그대로 가져옵니다. 지구의 곡률과 높이에 의한 변화는 최대 %1 mm입니다</translation>
     </message>
     <message>
         <source>%1: an instrument that leans at a point with other readings</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: 다른 읽음값이 있는 점에 놓인 기울어진 측정기</translation>
     </message>
     <message>
         <source>%1: a target above its point in a frame that leans</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: 기울어진 좌표계에서 점 위에 있는 표적</translation>
     </message>
     <message>
         <source>baselines of GNSS from %1: they are geocentric</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 GNSS 기선: 지심 기선입니다</translation>
     </message>
     <message>
         <source>equal height differences whose size is not known</source>
-        <translation type="unfinished"></translation>
+        <translation>크기를 알 수 없는 같은 높이차</translation>
     </message>
     <message>
         <source>%1, line %2: %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, %2행: %3</translation>
     </message>
     <message>
         <source>a file that it includes: %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>포함하는 파일: %1: %2</translation>
     </message>
     <message>
         <source>the file %1 includes itself, or too many one in another</source>
-        <translation type="unfinished"></translation>
+        <translation>파일 %1이(가) 자기 자신을 포함하거나, 서로 포함하는 파일이 너무 많습니다</translation>
     </message>
     <message>
         <source>too many observations: divide the file</source>
-        <translation type="unfinished"></translation>
+        <translation>관측값이 너무 많습니다. 파일을 나누십시오</translation>
     </message>
     <message>
         <source>%1; a file that it includes: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1; 포함하는 파일: %2</translation>
     </message>
     <message>
         <source>where the origin of the axis is along it</source>
-        <translation type="unfinished"></translation>
+        <translation>축의 원점이 축을 따라 어디에 있는지</translation>
     </message>
     <message>
         <source>a target, a position, a point and two standard deviations are expected</source>
-        <translation type="unfinished"></translation>
+        <translation>표적, 위치, 점, 표준편차 두 개가 필요합니다</translation>
     </message>
     <message>
         <source>two points and a standard deviation are expected</source>
-        <translation type="unfinished"></translation>
+        <translation>점 두 개와 표준편차 하나가 필요합니다</translation>
     </message>
     <message>
         <source>a target with three figures and their standard deviations is expected, there are %1 columns</source>
-        <translation type="unfinished"></translation>
+        <translation>수치 세 개와 그 표준편차가 있는 표적이 필요한데 열이 %1개 있습니다</translation>
     </message>
     <message>
         <source>a rotation axis, %1: circles about an axis are not part of a network here</source>
-        <translation type="unfinished"></translation>
+        <translation>회전축 %1: 축 둘레의 원은 여기서 망에 포함되지 않습니다</translation>
     </message>
     <message>
         <source>%1 rotation axes with one target each: the circle is a plane with a point in its middle, as far from all positions</source>
-        <translation type="unfinished"></translation>
+        <translation>표적이 하나씩 있는 회전축 %1개: 원은 한가운데에 점이 있는 평면이며, 그 점은 모든 위치에서 같은 거리에 있습니다</translation>
     </message>
     <message>
         <source>%1: the file says that %2 is not to be used</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: 파일은 %2을(를) 쓰지 않도록 합니다</translation>
     </message>
     <message>
         <source>%1: %2 has no such coordinate, as its code says</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2에는 그 코드가 나타내듯 그런 좌표가 없습니다</translation>
     </message>
     <message>
         <source>%1: it has no standard deviation</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: 표준편차가 없습니다</translation>
     </message>
     <message>
         <source>%1: it is not positive</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: 양수가 아닙니다</translation>
     </message>
     <message>
         <source>readings are reduced to the plane of the coordinates, from a sphere of %1 km on which heights stand: %2 lengths by up to %3 mm, %4 angles by up to %5 mgon</source>
-        <translation type="unfinished"></translation>
+        <translation>읽음값을, 높이의 기준인 %1 km의 구에서 좌표의 평면으로 환산합니다: 길이 %2개는 최대 %3 mm, 각 %4개는 최대 %5 mgon</translation>
     </message>
     <message>
         <source>%1 readings are switched off in the file: they are in the table as left out</source>
-        <translation type="unfinished"></translation>
+        <translation>읽음값 %1개는 파일에서 꺼져 있습니다. 표에 뺀 것으로 들어 있습니다</translation>
     </message>
     <message>
         <source>point %1 again: it is as in line %2</source>
-        <translation type="unfinished"></translation>
+        <translation>점 %1이(가) 다시 나옵니다. %2행의 것을 씁니다</translation>
     </message>
     <message>
         <source>the covariance of %1 and %2 is missing, or no number</source>
-        <translation type="unfinished"></translation>
+        <translation>%1과(와) %2의 공분산이 없거나 수가 아닙니다</translation>
     </message>
     <message>
         <source>%1: the covariance of %2 constrained coordinates, in place of their standard deviations</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: 표준편차 대신 쓰는, 구속된 좌표 %2개의 공분산</translation>
     </message>
     <message>
         <source>%1 coordinates are constrained without a standard deviation: they are fixed</source>
-        <translation type="unfinished"></translation>
+        <translation>좌표 %1개는 표준편차 없이 구속됩니다. 고정됩니다</translation>
     </message>
     <message>
         <source>the projection %1: its scale and the convergence of its meridians are not taken off the readings</source>
-        <translation type="unfinished"></translation>
+        <translation>투영 %1: 그 척도와 자오선 수차는 읽음값에서 빼지 않습니다</translation>
     </message>
     <message>
         <source>internal constraints: no coordinate is constrained, those that are not remote are the datum</source>
-        <translation type="unfinished"></translation>
+        <translation>내부 구속조건: 구속된 좌표가 없으며, 멀리 있지 않은 것이 데이텀입니다</translation>
     </message>
     <message>
         <source>%1 points that no reading names, %2 the first of them</source>
-        <translation type="unfinished"></translation>
+        <translation>어떤 읽음값에도 나오지 않는 점 %1개, 그 첫 번째는 %2</translation>
     </message>
     <message>
         <source>a network of %1 points with %2 readings, which is adjusted; points that nothing tells are left out</source>
-        <translation type="unfinished"></translation>
+        <translation>점 %1개와 읽음값 %2개로 된 망, 조정됨. 알 수 없는 점은 뺍니다</translation>
     </message>
     <message>
         <source>Comp3D multiplies standard deviations by its sigma 0: for these choose uncertainties as seen, one factor s_0</source>
-        <translation type="unfinished"></translation>
+        <translation>Comp3D는 표준편차에 자신의 sigma 0을 곱합니다. 이를 위해서는 불확도를 “드러난 대로, 인자 s_0 하나”로 고르십시오</translation>
     </message>
     <message>
         <source>the stated unit of lengths: Comp3D has metres</source>
-        <translation type="unfinished"></translation>
+        <translation>지정한 길이의 단위: Comp3D는 미터를 씁니다</translation>
     </message>
     <message>
         <source>observations of %1 with the coordinates of %2, in metres: x east, y north, z the height</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 관측값, %2의 좌표 사용, 미터 단위: x는 동, y는 북, z는 높이</translation>
     </message>
     <message>
         <source>a simulation: the values of its observations are none that were read</source>
-        <translation type="unfinished"></translation>
+        <translation>시뮬레이션: 관측값의 값은 읽은 것이 아닙니다</translation>
     </message>
     <message>
         <source>no network: the readings of the file would change none of its points</source>
-        <translation type="unfinished"></translation>
+        <translation>망 없음: 파일의 읽음값은 어떤 점도 바꾸지 않습니다</translation>
     </message>
     <message>
         <source>no network: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>망 없음: %1</translation>
     </message>
     <message>
         <source>no network: there is no file of coordinates of the same name (.cor) beside it, nor a single one with its points</source>
-        <translation type="unfinished"></translation>
+        <translation>망 없음: 옆에 같은 이름의 좌표 파일(.cor)이 없고, 그 점들이 있는 단 하나의 좌표 파일도 없습니다</translation>
     </message>
     <message>
         <source>settings of the computation from %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 계산 설정</translation>
     </message>
     <message>
         <source>no settings beside it (.comp): latitude 48.8°, refraction 0.12, as Comp3D has them at first</source>
-        <translation type="unfinished"></translation>
+        <translation>옆에 설정(.comp)이 없음: 위도 48.8°, 굴절 0.12, Comp3D의 초기값</translation>
     </message>
     <message>
         <source>the settings name no files of coordinates and observations</source>
-        <translation type="unfinished"></translation>
+        <translation>설정에 좌표 파일과 관측값 파일이 지정되어 있지 않습니다</translation>
     </message>
     <message>
         <source>%1, which the settings name, must lie beside them</source>
-        <translation type="unfinished"></translation>
+        <translation>설정에 지정된 %1은(는) 설정 파일 옆에 있어야 합니다</translation>
     </message>
     <message>
         <source>settings of Comp3D begin with data = {</source>
-        <translation type="unfinished"></translation>
+        <translation>Comp3D의 설정은 data = {로 시작합니다</translation>
     </message>
     <message>
         <source>no settings of Comp3D: a part &quot;config&quot; is expected</source>
-        <translation type="unfinished"></translation>
+        <translation>Comp3D의 설정이 아닙니다. &quot;config&quot; 부분이 필요합니다</translation>
     </message>
     <message>
         <source>the latitude or the refraction coefficient is none</source>
-        <translation type="unfinished"></translation>
+        <translation>위도 또는 굴절 계수가 유효하지 않습니다</translation>
     </message>
     <message>
         <source>Comp3D settings</source>
-        <translation type="unfinished"></translation>
+        <translation>Comp3D 설정</translation>
     </message>
 </context>
 <context>
@@ -21790,15 +21790,15 @@ sample 1; 2; 3 weights 2; 5; 2 (그대로 뽑음), histogram 0; 1; 2 weights 5; 
     </message>
     <message>
         <source>not met: %1 of %2</source>
-        <translation type="unfinished">미충족: %2개 중 %1개</translation>
+        <translation>불충족: %2개 중 %1개</translation>
     </message>
     <message>
         <source>not decided: %1 of %2</source>
-        <translation type="unfinished">미판정: %2개 중 %1개</translation>
+        <translation>미판정: %2개 중 %1개</translation>
     </message>
     <message>
         <source>all %1 met</source>
-        <translation type="unfinished">%1개 모두 충족</translation>
+        <translation>%1개 모두 충족</translation>
     </message>
 </context>
 <context>

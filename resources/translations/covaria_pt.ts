@@ -21022,247 +21022,247 @@ nu 18 atrás de qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>the file %1 must be named relative to the folder of the file that names it, and lie in it</source>
-        <translation type="unfinished"></translation>
+        <translation>o arquivo %1 deve ser nomeado em relação à pasta do arquivo que o nomeia, e estar nela</translation>
     </message>
     <message>
         <source>the file %1 is a link that leads out of its folder: put the file itself there</source>
-        <translation type="unfinished"></translation>
+        <translation>o arquivo %1 é uma ligação que leva para fora de sua pasta: ponha lá o próprio arquivo</translation>
     </message>
     <message>
         <source>points with coordinates of their own are fixed</source>
-        <translation type="unfinished"></translation>
+        <translation>pontos com coordenadas próprias são fixos</translation>
     </message>
     <message>
         <source>coordinates of stations are what the instrument was told: they are the datum, by which readings are not pressed</source>
-        <translation type="unfinished"></translation>
+        <translation>as coordenadas das estações são as que foram dadas ao instrumento: são o datum, que não força as leituras</translation>
     </message>
     <message>
         <source>no coordinates tell where the network is and how it is turned: it is free, all of its points are the datum</source>
-        <translation type="unfinished"></translation>
+        <translation>nenhuma coordenada diz onde a rede está e como está girada: ela é livre, todos os seus pontos são o datum</translation>
     </message>
     <message>
         <source>rounds repeat: one reading has s = %1 mgon in directions, %2 mgon in zenith angles, %3 mm in distances (nu = %4, %5, %6). What all rounds have in common is not in that: centring, weather, the instrument&apos;s own errors</source>
-        <translation type="unfinished"></translation>
+        <translation>as séries se repetem: uma leitura tem s = %1 mgon em direções, %2 mgon em ângulos zenitais, %3 mm em distâncias (nu = %4, %5, %6). O que todas as séries têm em comum não está incluído: centragem, condições atmosféricas, erros próprios do instrumento</translation>
     </message>
     <message>
         <source>nothing is repeated, and the file does not say what the instrument is worth: 1 mgon of an angle, 2 mm + 2 ppm of a distance are taken; type what its data sheet says</source>
-        <translation type="unfinished"></translation>
+        <translation>nada se repete, e o arquivo não diz quanto vale o instrumento: tomam-se 1 mgon para um ângulo, 2 mm + 2 ppm para uma distância; digite o que diz sua folha de dados</translation>
     </message>
     <message>
         <source>a sight of %1 to itself</source>
-        <translation type="unfinished"></translation>
+        <translation>uma visada de %1 para si mesmo</translation>
     </message>
     <message>
         <source>coordinates of stations are what the instrument was told: they are approximate ones beside %1 points with coordinates of their own, which are fixed</source>
-        <translation type="unfinished"></translation>
+        <translation>as coordenadas das estações são as que foram dadas ao instrumento: são aproximadas, ao lado de %1 pontos com coordenadas próprias, que são fixos</translation>
     </message>
     <message>
         <source>a network of %1 points with %2 readings from %3 set-ups in %4 rounds, which is adjusted: x east, y north; points that nothing tells are left out</source>
-        <translation type="unfinished"></translation>
+        <translation>uma rede de %1 pontos com %2 leituras de %3 estacionamentos em %4 séries, que é ajustada: x leste, y norte; pontos que nada determina são omitidos</translation>
     </message>
     <message>
         <source>sights in both faces: index and collimation are unknown, and follow from the readings</source>
-        <translation type="unfinished"></translation>
+        <translation>visadas em ambas as faces: índice e colimação são incógnitas, e resultam das leituras</translation>
     </message>
     <message>
         <source>heights of instrument and targets: sights there and back close without them, and not with them; points are where the axes and the reflectors were</source>
-        <translation type="unfinished"></translation>
+        <translation>alturas do instrumento e dos alvos: visadas de ida e volta fecham sem elas, e não com elas; os pontos estão onde estavam os eixos e os refletores</translation>
     </message>
     <message>
         <source>the file has no heights of instrument and targets: points are where the axes and the reflectors were</source>
-        <translation type="unfinished"></translation>
+        <translation>o arquivo não tem alturas do instrumento e dos alvos: os pontos estão onde estavam os eixos e os refletores</translation>
     </message>
     <message>
         <source>the curvature of the Earth counts in zenith angles, with a refraction coefficient of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>a curvatura da Terra conta em ângulos zenitais, com um coeficiente de refração de %1</translation>
     </message>
     <message>
         <source>%1 sights have no distance: their angles are taken</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 visadas não têm distância: seus ângulos são tomados</translation>
     </message>
     <message>
         <source>%1 – %2: the part of its standard deviation that depends on the distance</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 – %2: a parte de seu desvio-padrão que depende da distância</translation>
     </message>
     <message>
         <source>own frames whose targets have no coordinates are taken as they are: the curvature of the Earth and heights change them by up to %1 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>referenciais próprios cujos alvos não têm coordenadas são tomados como estão: a curvatura da Terra e as alturas os alteram em até %1 mm</translation>
     </message>
     <message>
         <source>%1: an instrument that leans at a point with other readings</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: um instrumento inclinado num ponto com outras leituras</translation>
     </message>
     <message>
         <source>%1: a target above its point in a frame that leans</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: um alvo acima de seu ponto num referencial inclinado</translation>
     </message>
     <message>
         <source>baselines of GNSS from %1: they are geocentric</source>
-        <translation type="unfinished"></translation>
+        <translation>linhas de base de GNSS de %1: são geocêntricas</translation>
     </message>
     <message>
         <source>equal height differences whose size is not known</source>
-        <translation type="unfinished"></translation>
+        <translation>desníveis iguais cujo valor não é conhecido</translation>
     </message>
     <message>
         <source>%1, line %2: %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, linha %2: %3</translation>
     </message>
     <message>
         <source>a file that it includes: %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>um arquivo que ele inclui: %1: %2</translation>
     </message>
     <message>
         <source>the file %1 includes itself, or too many one in another</source>
-        <translation type="unfinished"></translation>
+        <translation>o arquivo %1 inclui a si mesmo, ou há arquivos demais incluídos um no outro</translation>
     </message>
     <message>
         <source>too many observations: divide the file</source>
-        <translation type="unfinished"></translation>
+        <translation>observações demais: divida o arquivo</translation>
     </message>
     <message>
         <source>%1; a file that it includes: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1; um arquivo que ele inclui: %2</translation>
     </message>
     <message>
         <source>where the origin of the axis is along it</source>
-        <translation type="unfinished"></translation>
+        <translation>onde a origem do eixo está ao longo dele</translation>
     </message>
     <message>
         <source>a target, a position, a point and two standard deviations are expected</source>
-        <translation type="unfinished"></translation>
+        <translation>esperam-se um alvo, uma posição, um ponto e dois desvios-padrão</translation>
     </message>
     <message>
         <source>two points and a standard deviation are expected</source>
-        <translation type="unfinished"></translation>
+        <translation>esperam-se dois pontos e um desvio-padrão</translation>
     </message>
     <message>
         <source>a target with three figures and their standard deviations is expected, there are %1 columns</source>
-        <translation type="unfinished"></translation>
+        <translation>espera-se um alvo com três números e seus desvios-padrão, há %1 colunas</translation>
     </message>
     <message>
         <source>a rotation axis, %1: circles about an axis are not part of a network here</source>
-        <translation type="unfinished"></translation>
+        <translation>um eixo de rotação, %1: círculos em torno de um eixo não fazem parte de uma rede aqui</translation>
     </message>
     <message>
         <source>%1 rotation axes with one target each: the circle is a plane with a point in its middle, as far from all positions</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 eixos de rotação com um alvo cada: o círculo é um plano com um ponto em seu centro, à mesma distância de todas as posições</translation>
     </message>
     <message>
         <source>%1: the file says that %2 is not to be used</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: o arquivo diz que %2 não deve ser usado</translation>
     </message>
     <message>
         <source>%1: %2 has no such coordinate, as its code says</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2 não tem tal coordenada, como diz seu código</translation>
     </message>
     <message>
         <source>%1: it has no standard deviation</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: não tem desvio-padrão</translation>
     </message>
     <message>
         <source>%1: it is not positive</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: o valor não é positivo</translation>
     </message>
     <message>
         <source>readings are reduced to the plane of the coordinates, from a sphere of %1 km on which heights stand: %2 lengths by up to %3 mm, %4 angles by up to %5 mgon</source>
-        <translation type="unfinished"></translation>
+        <translation>leituras são reduzidas ao plano das coordenadas, a partir de uma esfera de %1 km sobre a qual se contam as alturas: %2 comprimentos em até %3 mm, %4 ângulos em até %5 mgon</translation>
     </message>
     <message>
         <source>%1 readings are switched off in the file: they are in the table as left out</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 leituras estão desligadas no arquivo: estão na tabela como omitidas</translation>
     </message>
     <message>
         <source>point %1 again: it is as in line %2</source>
-        <translation type="unfinished"></translation>
+        <translation>ponto %1 de novo: fica como na linha %2</translation>
     </message>
     <message>
         <source>the covariance of %1 and %2 is missing, or no number</source>
-        <translation type="unfinished"></translation>
+        <translation>a covariância de %1 e %2 falta, ou não é número</translation>
     </message>
     <message>
         <source>%1: the covariance of %2 constrained coordinates, in place of their standard deviations</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: a covariância de %2 coordenadas restringidas, em lugar de seus desvios-padrão</translation>
     </message>
     <message>
         <source>%1 coordinates are constrained without a standard deviation: they are fixed</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 coordenadas são restringidas sem desvio-padrão: são fixas</translation>
     </message>
     <message>
         <source>the projection %1: its scale and the convergence of its meridians are not taken off the readings</source>
-        <translation type="unfinished"></translation>
+        <translation>a projeção %1: sua escala e a convergência de seus meridianos não são descontadas das leituras</translation>
     </message>
     <message>
         <source>internal constraints: no coordinate is constrained, those that are not remote are the datum</source>
-        <translation type="unfinished"></translation>
+        <translation>restrições internas: nenhuma coordenada é restringida, as que não são distantes são o datum</translation>
     </message>
     <message>
         <source>%1 points that no reading names, %2 the first of them</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 pontos que nenhuma leitura nomeia, o primeiro deles %2</translation>
     </message>
     <message>
         <source>a network of %1 points with %2 readings, which is adjusted; points that nothing tells are left out</source>
-        <translation type="unfinished"></translation>
+        <translation>uma rede de %1 pontos com %2 leituras, que é ajustada; pontos que nada determina são omitidos</translation>
     </message>
     <message>
         <source>Comp3D multiplies standard deviations by its sigma 0: for these choose uncertainties as seen, one factor s_0</source>
-        <translation type="unfinished"></translation>
+        <translation>o Comp3D multiplica desvios-padrão por seu sigma 0: para estes escolha incertezas como observado, um fator s_0</translation>
     </message>
     <message>
         <source>the stated unit of lengths: Comp3D has metres</source>
-        <translation type="unfinished"></translation>
+        <translation>a unidade de comprimento declarada: o Comp3D usa metros</translation>
     </message>
     <message>
         <source>observations of %1 with the coordinates of %2, in metres: x east, y north, z the height</source>
-        <translation type="unfinished"></translation>
+        <translation>observações de %1 com as coordenadas de %2, em metros: x leste, y norte, z a altura</translation>
     </message>
     <message>
         <source>a simulation: the values of its observations are none that were read</source>
-        <translation type="unfinished"></translation>
+        <translation>uma simulação: os valores de suas observações não são valores lidos</translation>
     </message>
     <message>
         <source>no network: the readings of the file would change none of its points</source>
-        <translation type="unfinished"></translation>
+        <translation>sem rede: as leituras do arquivo não mudariam nenhum de seus pontos</translation>
     </message>
     <message>
         <source>no network: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>sem rede: %1</translation>
     </message>
     <message>
         <source>no network: there is no file of coordinates of the same name (.cor) beside it, nor a single one with its points</source>
-        <translation type="unfinished"></translation>
+        <translation>sem rede: não há ao lado dele um arquivo de coordenadas de mesmo nome (.cor), nem um único com seus pontos</translation>
     </message>
     <message>
         <source>settings of the computation from %1</source>
-        <translation type="unfinished"></translation>
+        <translation>configurações do cálculo de %1</translation>
     </message>
     <message>
         <source>no settings beside it (.comp): latitude 48.8°, refraction 0.12, as Comp3D has them at first</source>
-        <translation type="unfinished"></translation>
+        <translation>não há configurações ao lado dele (.comp): latitude 48.8°, refração 0.12, como o Comp3D as tem de início</translation>
     </message>
     <message>
         <source>the settings name no files of coordinates and observations</source>
-        <translation type="unfinished"></translation>
+        <translation>as configurações não nomeiam arquivos de coordenadas e observações</translation>
     </message>
     <message>
         <source>%1, which the settings name, must lie beside them</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, que as configurações nomeiam, deve estar ao lado delas</translation>
     </message>
     <message>
         <source>settings of Comp3D begin with data = {</source>
-        <translation type="unfinished"></translation>
+        <translation>as configurações do Comp3D começam com data = {</translation>
     </message>
     <message>
         <source>no settings of Comp3D: a part &quot;config&quot; is expected</source>
-        <translation type="unfinished"></translation>
+        <translation>não são configurações do Comp3D: espera-se uma parte &quot;config&quot;</translation>
     </message>
     <message>
         <source>the latitude or the refraction coefficient is none</source>
-        <translation type="unfinished"></translation>
+        <translation>a latitude ou o coeficiente de refração não é válido</translation>
     </message>
     <message>
         <source>Comp3D settings</source>
-        <translation type="unfinished"></translation>
+        <translation>Configurações do Comp3D</translation>
     </message>
 </context>
 <context>
@@ -21791,15 +21791,15 @@ nu 18 atrás de qualquer um deles: graus de liberdade</translation>
     </message>
     <message>
         <source>not met: %1 of %2</source>
-        <translation type="unfinished">não cumpridos: %1 de %2</translation>
+        <translation>não cumpridos: %1 de %2</translation>
     </message>
     <message>
         <source>not decided: %1 of %2</source>
-        <translation type="unfinished">não decididos: %1 de %2</translation>
+        <translation>não decididos: %1 de %2</translation>
     </message>
     <message>
         <source>all %1 met</source>
-        <translation type="unfinished">todos os %1 cumpridos</translation>
+        <translation>todos os %1 cumpridos</translation>
     </message>
 </context>
 <context>

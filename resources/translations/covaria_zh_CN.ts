@@ -21021,247 +21021,247 @@ sample 1; 2; 3 weights 2; 5; 2（按原样抽取），histogram 0; 1; 2 weights 
     </message>
     <message>
         <source>the file %1 must be named relative to the folder of the file that names it, and lie in it</source>
-        <translation type="unfinished"></translation>
+        <translation>文件 %1 必须相对于指明它的文件的文件夹命名并位于其中</translation>
     </message>
     <message>
         <source>the file %1 is a link that leads out of its folder: put the file itself there</source>
-        <translation type="unfinished"></translation>
+        <translation>文件 %1 是指向其文件夹之外的链接：请将文件本身放在那里</translation>
     </message>
     <message>
         <source>points with coordinates of their own are fixed</source>
-        <translation type="unfinished"></translation>
+        <translation>自带坐标的点是固定的</translation>
     </message>
     <message>
         <source>coordinates of stations are what the instrument was told: they are the datum, by which readings are not pressed</source>
-        <translation type="unfinished"></translation>
+        <translation>测站坐标是输入仪器的坐标：它们作为基准，不对读数施加强制</translation>
     </message>
     <message>
         <source>no coordinates tell where the network is and how it is turned: it is free, all of its points are the datum</source>
-        <translation type="unfinished"></translation>
+        <translation>没有坐标说明网的位置和定向：它是自由网，其所有点均为基准</translation>
     </message>
     <message>
         <source>rounds repeat: one reading has s = %1 mgon in directions, %2 mgon in zenith angles, %3 mm in distances (nu = %4, %5, %6). What all rounds have in common is not in that: centring, weather, the instrument&apos;s own errors</source>
-        <translation type="unfinished"></translation>
+        <translation>测回有重复：一个读数的 s 为：方向 s = %1 mgon，天顶距 %2 mgon，距离 %3 mm（nu = %4, %5, %6）。各测回共有的部分不在其中：对中、天气、仪器自身的误差</translation>
     </message>
     <message>
         <source>nothing is repeated, and the file does not say what the instrument is worth: 1 mgon of an angle, 2 mm + 2 ppm of a distance are taken; type what its data sheet says</source>
-        <translation type="unfinished"></translation>
+        <translation>没有重复，文件也没有说明仪器的精度：角度取 1 mgon，距离取 2 mm + 2 ppm；请输入其数据表给出的值</translation>
     </message>
     <message>
         <source>a sight of %1 to itself</source>
-        <translation type="unfinished"></translation>
+        <translation>从 %1 到其自身的照准</translation>
     </message>
     <message>
         <source>coordinates of stations are what the instrument was told: they are approximate ones beside %1 points with coordinates of their own, which are fixed</source>
-        <translation type="unfinished"></translation>
+        <translation>测站坐标是输入仪器的坐标：除 %1 个自带坐标的固定点外，它们是近似坐标</translation>
     </message>
     <message>
         <source>a network of %1 points with %2 readings from %3 set-ups in %4 rounds, which is adjusted: x east, y north; points that nothing tells are left out</source>
-        <translation type="unfinished"></translation>
+        <translation>含 %1 个点、%2 个读数的网，来自 %3 次设站、%4 个测回，将其平差：x 向东，y 向北；无法确定的点予以略去</translation>
     </message>
     <message>
         <source>sights in both faces: index and collimation are unknown, and follow from the readings</source>
-        <translation type="unfinished"></translation>
+        <translation>盘左盘右的照准：指标差和视准差未知，由读数得出</translation>
     </message>
     <message>
         <source>heights of instrument and targets: sights there and back close without them, and not with them; points are where the axes and the reflectors were</source>
-        <translation type="unfinished"></translation>
+        <translation>仪器高和目标高：往返照准不计它们时闭合，计入时不闭合；点位于轴和反射器所在之处</translation>
     </message>
     <message>
         <source>the file has no heights of instrument and targets: points are where the axes and the reflectors were</source>
-        <translation type="unfinished"></translation>
+        <translation>文件中没有仪器高和目标高：点位于轴和反射器所在之处</translation>
     </message>
     <message>
         <source>the curvature of the Earth counts in zenith angles, with a refraction coefficient of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>天顶距中计及地球曲率，折光系数为 %1</translation>
     </message>
     <message>
         <source>%1 sights have no distance: their angles are taken</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 次照准没有距离：采用其角度</translation>
     </message>
     <message>
         <source>%1 – %2: the part of its standard deviation that depends on the distance</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 – %2：其标准偏差中与距离有关的部分</translation>
     </message>
     <message>
         <source>own frames whose targets have no coordinates are taken as they are: the curvature of the Earth and heights change them by up to %1 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>目标点没有坐标的独立坐标系按原样采用：地球曲率和高程对其改变最大为 %1 mm</translation>
     </message>
     <message>
         <source>%1: an instrument that leans at a point with other readings</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：一台倾斜的仪器位于有其他读数的点上</translation>
     </message>
     <message>
         <source>%1: a target above its point in a frame that leans</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：倾斜坐标系中位于其点上方的目标点</translation>
     </message>
     <message>
         <source>baselines of GNSS from %1: they are geocentric</source>
-        <translation type="unfinished"></translation>
+        <translation>来自 %1 的 GNSS 基线：它们是地心的</translation>
     </message>
     <message>
         <source>equal height differences whose size is not known</source>
-        <translation type="unfinished"></translation>
+        <translation>大小未知的等高差</translation>
     </message>
     <message>
         <source>%1, line %2: %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1，第 %2 行：%3</translation>
     </message>
     <message>
         <source>a file that it includes: %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>它所包含的文件：%1：%2</translation>
     </message>
     <message>
         <source>the file %1 includes itself, or too many one in another</source>
-        <translation type="unfinished"></translation>
+        <translation>文件 %1 包含其自身，或嵌套包含的文件过多</translation>
     </message>
     <message>
         <source>too many observations: divide the file</source>
-        <translation type="unfinished"></translation>
+        <translation>观测过多：请拆分文件</translation>
     </message>
     <message>
         <source>%1; a file that it includes: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1；它所包含的文件：%2</translation>
     </message>
     <message>
         <source>where the origin of the axis is along it</source>
-        <translation type="unfinished"></translation>
+        <translation>轴的原点沿该轴的位置</translation>
     </message>
     <message>
         <source>a target, a position, a point and two standard deviations are expected</source>
-        <translation type="unfinished"></translation>
+        <translation>应有一个目标点、一个位置、一个点和两个标准偏差</translation>
     </message>
     <message>
         <source>two points and a standard deviation are expected</source>
-        <translation type="unfinished"></translation>
+        <translation>应有两个点和一个标准偏差</translation>
     </message>
     <message>
         <source>a target with three figures and their standard deviations is expected, there are %1 columns</source>
-        <translation type="unfinished"></translation>
+        <translation>应有一个带三个数值及其标准偏差的目标点，现有 %1 列</translation>
     </message>
     <message>
         <source>a rotation axis, %1: circles about an axis are not part of a network here</source>
-        <translation type="unfinished"></translation>
+        <translation>旋转轴 %1：此处绕轴的圆不属于网</translation>
     </message>
     <message>
         <source>%1 rotation axes with one target each: the circle is a plane with a point in its middle, as far from all positions</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 个各有一个目标点的旋转轴：圆即一个平面，其中心有一个到所有位置距离相等的点</translation>
     </message>
     <message>
         <source>%1: the file says that %2 is not to be used</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：文件指明不使用 %2</translation>
     </message>
     <message>
         <source>%1: %2 has no such coordinate, as its code says</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：%2 没有这样的坐标，如其代码所示</translation>
     </message>
     <message>
         <source>%1: it has no standard deviation</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：没有标准偏差</translation>
     </message>
     <message>
         <source>%1: it is not positive</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：不是正值</translation>
     </message>
     <message>
         <source>readings are reduced to the plane of the coordinates, from a sphere of %1 km on which heights stand: %2 lengths by up to %3 mm, %4 angles by up to %5 mgon</source>
-        <translation type="unfinished"></translation>
+        <translation>读数从高程所依据的 %1 km 的球归算到坐标平面：%2 个长度，最大 %3 mm；%4 个角度，最大 %5 mgon</translation>
     </message>
     <message>
         <source>%1 readings are switched off in the file: they are in the table as left out</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 个读数在文件中已关闭：它们作为略去项列在表中</translation>
     </message>
     <message>
         <source>point %1 again: it is as in line %2</source>
-        <translation type="unfinished"></translation>
+        <translation>点 %1 再次出现：以第 %2 行为准</translation>
     </message>
     <message>
         <source>the covariance of %1 and %2 is missing, or no number</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 与 %2 的协方差缺失，或不是数字</translation>
     </message>
     <message>
         <source>%1: the covariance of %2 constrained coordinates, in place of their standard deviations</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：%2 个受约束坐标的协方差，代替其标准偏差</translation>
     </message>
     <message>
         <source>%1 coordinates are constrained without a standard deviation: they are fixed</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 个坐标受约束而没有标准偏差：它们是固定的</translation>
     </message>
     <message>
         <source>the projection %1: its scale and the convergence of its meridians are not taken off the readings</source>
-        <translation type="unfinished"></translation>
+        <translation>投影 %1：其尺度和子午线收敛角不从读数中扣除</translation>
     </message>
     <message>
         <source>internal constraints: no coordinate is constrained, those that are not remote are the datum</source>
-        <translation type="unfinished"></translation>
+        <translation>内部约束：没有坐标受约束，其中非远处的坐标为基准</translation>
     </message>
     <message>
         <source>%1 points that no reading names, %2 the first of them</source>
-        <translation type="unfinished"></translation>
+        <translation>没有读数提及的 %1 个点，其中第一个为 %2</translation>
     </message>
     <message>
         <source>a network of %1 points with %2 readings, which is adjusted; points that nothing tells are left out</source>
-        <translation type="unfinished"></translation>
+        <translation>含 %1 个点和 %2 个读数的网，将其平差；无法确定的点予以略去</translation>
     </message>
     <message>
         <source>Comp3D multiplies standard deviations by its sigma 0: for these choose uncertainties as seen, one factor s_0</source>
-        <translation type="unfinished"></translation>
+        <translation>Comp3D 将标准偏差乘以其 sigma 0：为此请选择“按所见值，一个系数 s_0”的不确定度</translation>
     </message>
     <message>
         <source>the stated unit of lengths: Comp3D has metres</source>
-        <translation type="unfinished"></translation>
+        <translation>给出的长度单位：Comp3D 以米为单位</translation>
     </message>
     <message>
         <source>observations of %1 with the coordinates of %2, in metres: x east, y north, z the height</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的观测，采用 %2 的坐标，以米为单位：x 向东，y 向北，z 为高程</translation>
     </message>
     <message>
         <source>a simulation: the values of its observations are none that were read</source>
-        <translation type="unfinished"></translation>
+        <translation>模拟：其观测的值不是读取的值</translation>
     </message>
     <message>
         <source>no network: the readings of the file would change none of its points</source>
-        <translation type="unfinished"></translation>
+        <translation>没有网：文件的读数不会改变其任何一个点</translation>
     </message>
     <message>
         <source>no network: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>没有网：%1</translation>
     </message>
     <message>
         <source>no network: there is no file of coordinates of the same name (.cor) beside it, nor a single one with its points</source>
-        <translation type="unfinished"></translation>
+        <translation>没有网：旁边没有同名的坐标文件（.cor），也没有含其各点的唯一坐标文件</translation>
     </message>
     <message>
         <source>settings of the computation from %1</source>
-        <translation type="unfinished"></translation>
+        <translation>计算设置来自 %1</translation>
     </message>
     <message>
         <source>no settings beside it (.comp): latitude 48.8°, refraction 0.12, as Comp3D has them at first</source>
-        <translation type="unfinished"></translation>
+        <translation>旁边没有设置（.comp）：纬度 48.8°，折光 0.12，即 Comp3D 的初始值</translation>
     </message>
     <message>
         <source>the settings name no files of coordinates and observations</source>
-        <translation type="unfinished"></translation>
+        <translation>设置没有指明坐标文件和观测文件</translation>
     </message>
     <message>
         <source>%1, which the settings name, must lie beside them</source>
-        <translation type="unfinished"></translation>
+        <translation>设置所指明的 %1 必须位于其旁边</translation>
     </message>
     <message>
         <source>settings of Comp3D begin with data = {</source>
-        <translation type="unfinished"></translation>
+        <translation>Comp3D 的设置以 data = { 开头</translation>
     </message>
     <message>
         <source>no settings of Comp3D: a part &quot;config&quot; is expected</source>
-        <translation type="unfinished"></translation>
+        <translation>不是 Comp3D 的设置：应有 &quot;config&quot; 部分</translation>
     </message>
     <message>
         <source>the latitude or the refraction coefficient is none</source>
-        <translation type="unfinished"></translation>
+        <translation>纬度或折光系数无效</translation>
     </message>
     <message>
         <source>Comp3D settings</source>
-        <translation type="unfinished"></translation>
+        <translation>Comp3D 设置</translation>
     </message>
 </context>
 <context>
@@ -21790,15 +21790,15 @@ sample 1; 2; 3 weights 2; 5; 2（按原样抽取），histogram 0; 1; 2 weights 
     </message>
     <message>
         <source>not met: %1 of %2</source>
-        <translation type="unfinished">不满足：%2 项中有 %1 项</translation>
+        <translation>不满足：%2 项中的 %1 项</translation>
     </message>
     <message>
         <source>not decided: %1 of %2</source>
-        <translation type="unfinished">未判定：%2 项中有 %1 项</translation>
+        <translation>未判定：%2 项中的 %1 项</translation>
     </message>
     <message>
         <source>all %1 met</source>
-        <translation type="unfinished">全部 %1 项满足</translation>
+        <translation>全部 %1 项满足</translation>
     </message>
 </context>
 <context>
