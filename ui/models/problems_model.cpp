@@ -217,12 +217,12 @@ QString ProblemsModel::missing_words(const Document& document, const std::string
 QVariant ProblemsModel::data(const QModelIndex& index, int role) const {
     if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
     const Problem& problem = problems_[static_cast<std::size_t>(index.row())];
+    // Of every column: a delegate knows by it that the row is no head of a tree.
+    if (role == severity_role) return static_cast<int>(problem.severity);
     if (index.column() >= remedy_column) return remedy_data(remedy_at(index), role);
     switch (role) {
         case path_role:
             return to_qt(problem.path);
-        case severity_role:
-            return static_cast<int>(problem.severity);
         case incomplete_role:
             return is_to_give(problem);
         case Qt::ToolTipRole:

@@ -40,7 +40,7 @@ QString link_to_place(const Table& table, std::size_t row, const QString& text) 
 QString offer(const Table& table, std::size_t row, const TableView& view) {
     const QString cell = hidden_text(table, cell_column, row),
                   choice = hidden_text(table, choice_column, row);
-    if (cell.isEmpty() || choice.isEmpty()) return {};
+    if (cell.isEmpty() || choice.isEmpty()) return element("td", false, {});
     const Text words = written(table, table[choice_words_column], row, view);
     return element("td", false,
                    QStringLiteral("<a href=\"choose:%1?%2\">%3</a>")
@@ -54,10 +54,12 @@ QString html_of(const Table& made) {
     QString html = QStringLiteral("<h4>%1</h4><table cellpadding=\"3\" cellspacing=\"0\"><tr>")
                        .arg(to_qt(table.title).toHtmlEscaped());
     const std::size_t shown_columns = table.shown_columns();
+    const bool offers = table.find(choice_column) != nullptr;  // beside the name, where they are in view
     for (std::size_t i = 0; i < shown_columns; ++i) {
         const Column& column = table.columns[i];
         is_numeric.push_back(has_only_numbers(table, column));
         html += element("th", is_numeric.back(), shown(head_written(column, view)));
+        if (i == 0 && offers) html += element("th", false, {});
     }
     html += QStringLiteral("</tr>");
     for (std::size_t r = 0; r < std::min(table.rows, most_rows); ++r) {
@@ -65,8 +67,8 @@ QString html_of(const Table& made) {
         for (std::size_t i = 0; i < shown_columns; ++i) {
             const QString text = shown(written(table, table.columns[i], r, view));
             html += element("td", is_numeric[i], i == 0 ? link_to_place(table, r, text) : text);
+            if (i == 0 && offers) html += offer(table, r, view);
         }
-        html += offer(table, r, view);
         html += QStringLiteral("</tr>");
     }
     html += QStringLiteral("</table>");
