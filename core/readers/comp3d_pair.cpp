@@ -63,17 +63,20 @@ std::vector<std::vector<std::string>> cells_of_lines(std::string_view text) {
 }
 
 /// Whether a file of coordinates may be that of the observations: they name one of its points, or either of
-/// them includes further files.
-bool may_belong(const std::string& coordinates, const std::string& observations) {
+/// them includes a further file that is there.
+bool may_belong(const std::string& coordinates, const std::string& observations, const ReadChoice& choice) {
+    const auto is_there = [&](const std::string& included) {
+        return included.starts_with('@') && std::ranges::count(choice.beside.names, included.substr(1)) > 0;
+    };
     std::set<std::string> points;
     for (const auto& cells : cells_of_lines(coordinates)) {
-        if (cells[0].starts_with('@')) return true;
+        if (is_there(cells[0])) return true;
         if (cells.size() > 1) points.insert(cells[1]);
     }
     for (const auto& cells : cells_of_lines(observations)) {
-        if (cells[0].starts_with('@')) return true;
+        if (is_there(cells[0])) return true;
         for (std::size_t i = 1; i < std::min<std::size_t>(3, cells.size()); ++i)
-            if (points.contains(cells[i]) || (i == 2 && cells[i].starts_with('@'))) return true;
+            if (points.contains(cells[i]) || (i == 2 && is_there(cells[i]))) return true;
     }
     return false;
 }
@@ -172,7 +175,7 @@ Result<Proposals> read_obs(const std::string& text, const ReadChoice& choice) {
                                  : choice.beside.read(project.coordinates);
     const bool is_named = known || project.coordinates.substr(0, project.coordinates.rfind('.')) ==
                                        choice.file_name.substr(0, choice.file_name.rfind('.'));
-    if (!coordinates || (!is_named && !may_belong(*coordinates, text))) {
+    if (!coordinates || (!is_named && !may_belong(*coordinates, text, choice))) {
         auto quantities = read_comp3d_quantities(text, choice);
         if (quantities)
             quantities->found.push_back(!coordinates && !project.coordinates.empty()
