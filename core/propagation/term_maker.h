@@ -47,8 +47,8 @@ private:
     }
 
     const Eigen::VectorXd& u_;
-    /// Shares of all quantities one after the other, of quantity i from `begins_[i]` on: quantities themselves
-    /// are large, and a network has a hundred thousand of them for each of thousands of outputs.
+    /// Shares of all quantities one after the other, of quantity i from `begins_[i]` on: quantities
+    /// themselves are large, and a network has a hundred thousand of them for each of thousands of outputs.
     std::vector<Share> shares_;
     std::vector<std::size_t> begins_;
     std::vector<std::vector<Partner>> partners_;  ///< of each component; empty: no two are correlated

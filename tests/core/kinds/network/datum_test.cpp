@@ -12,7 +12,7 @@ namespace {
 /// The hall by two instruments that are not levelled, with nothing known but what the datum needs.
 TrueNetwork leaning_hall(CoordinateRole known, std::optional<double> approximate) {
     TrueNetwork net = hall(known, approximate, {{"S", {0.3, -0.2}}, {"T", {-0.1, 0.4}}});
-    net.stated.stations = {{.point = "S"}, {.point = "T"}};
+    net.stated.stations = {{"S", false, {}}, {"T", false, {}}};
     return net;
 }
 

@@ -36,11 +36,11 @@ constexpr const char* pose = R"({"id": "a", "model": "robot-pose", "name": "a", 
             "rows": [["p", 20, 35, -15, 40, 60, -10]]}}})";
 
 struct Made {
-    explicit Made(const std::string& coupling, const std::string& analysis = pose) {
-        LoadedProject loaded = parse_project(project_with(coupling, analysis), {}, "test");
+    explicit Made(const std::string& coupling, const std::string& asked = pose) {
+        LoadedProject loaded = parse_project(project_with(coupling, asked), {}, "test");
         problems = loaded.problems;
         assets = made_assets(loaded.project, problems);
-        if (!problems.has_errors()) this->analysis = made_analysis(loaded.project, "a", problems);
+        if (!problems.has_errors()) analysis = made_analysis(loaded.project, "a", problems);
     }
     const SerialRobotSource& robot() const { return *offers<SerialRobotSource>(assets.find("arm")->asset); }
     std::string words() const {
