@@ -5,9 +5,9 @@
 
 namespace covaria {
 
-/// Of an axis with one target the circle is what the network has: a point in its middle, a plane, and equal
-/// distances to the target's positions. Several circles about one axis, and two axes that meet, would need
-/// planes that are parallel and axes that are points: they are left out.
+/// The circle of an axis with one target is put with what the network has: a point in its middle, a plane,
+/// and equal distances to the target's positions. Several circles about one axis, and two axes that meet,
+/// would need planes that are parallel and axes that are points: they are left out.
 class Comp3dAxes {
 public:
     Comp3dAxes(const Comp3dSurvey& survey, const Comp3dGround& ground, Comp3dSurveyReader& files,

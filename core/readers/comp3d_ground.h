@@ -12,7 +12,7 @@
 
 namespace covaria {
 
-/// What stands in the settings of a computation; without them as Comp3D has it at first.
+/// The settings of a computation; without a file of them as Comp3D has them at first.
 struct Comp3dSettings {
     double latitude = 48.8;  ///< of the centre, deg
     double refraction = 0.12;

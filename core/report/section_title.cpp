@@ -51,12 +51,9 @@ Message requirements_met(const EvaluatedAnalysis& evaluated, const Project& proj
 Message decisions_met(const EvaluatedAnalysis& evaluated) {
     if (!evaluated.analysis->descriptor->decides || !evaluated.analysis->model) return {};
     const std::vector<DecidedRow> rows = decisions_in(evaluated.analysis->model->evaluation());
-    const auto count = [&](TestVerdict::Is is) {
-        return static_cast<std::size_t>(
-            std::ranges::count(rows, is, [](const DecidedRow& row) { return row.verdict.is; }));
-    };
     if (rows.empty()) return {};
-    const std::size_t failed = count(TestVerdict::Is::not_met), open = count(TestVerdict::Is::open);
+    const std::size_t failed = count_of(rows, TestVerdict::Is::not_met),
+                      open = count_of(rows, TestVerdict::Is::open);
     if (failed == 0 && open == 0) return tell<"all %1 met">(rows.size());
     if (open == 0) return tell<"%1 of %2 not met">(failed, rows.size());
     if (failed == 0) return tell<"%1 of %2 not decided">(open, rows.size());

@@ -1,5 +1,7 @@
 #include "core/views/decisions.h"
 
+#include <algorithm>
+
 #include "core/text/numbers.h"
 
 namespace covaria {
@@ -47,6 +49,11 @@ std::vector<DecidedRow> decisions_in(const std::vector<Table>& tables, const Tab
             }
     }
     return all;
+}
+
+std::size_t count_of(const std::vector<DecidedRow>& rows, TestVerdict::Is is) {
+    return static_cast<std::size_t>(
+        std::ranges::count(rows, is, [](const DecidedRow& row) { return row.verdict.is; }));
 }
 
 }  // namespace covaria

@@ -2,6 +2,7 @@
 // project.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "core/text/cell.h"
@@ -18,5 +19,8 @@ struct DecidedRow {
 
 /// All of them, in the order of the tables.
 std::vector<DecidedRow> decisions_in(const std::vector<Table>& tables, const TableView& view = {});
+
+/// How many rows bear this verdict.
+std::size_t count_of(const std::vector<DecidedRow>& rows, TestVerdict::Is is);
 
 }  // namespace covaria

@@ -142,12 +142,9 @@ VerdictWords verdict_words(const UncertaintyResult& result, const Answer& answer
 }
 
 VerdictWords decision_words(const std::vector<DecidedRow>& decisions) {
-    const auto count = [&](TestVerdict::Is is) {
-        return static_cast<int>(
-            std::ranges::count(decisions, is, [](const DecidedRow& row) { return row.verdict.is; }));
-    };
     const auto all = static_cast<int>(decisions.size());
-    const int failed = count(TestVerdict::Is::not_met), open = count(TestVerdict::Is::open);
+    const auto failed = static_cast<int>(count_of(decisions, TestVerdict::Is::not_met));
+    const auto open = static_cast<int>(count_of(decisions, TestVerdict::Is::open));
     VerdictWords words{failed == 0 && open == 0, failed == 0 && open > 0, {}, {}};
     if (failed > 0)
         words.words = to_std(tr("not met: %1 of %2").arg(failed).arg(all));
